@@ -1,0 +1,71 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geometry/map.hpp"
+#include "planner/plan.hpp"
+#include "server/domain.hpp"
+
+namespace underway {
+
+/// Where to go: a heading only if it matters.
+struct Goal {
+    Point at;                   ///< in the map frame [m]
+    std::optional<double> yaw;  ///< [rad]
+};
+
+/// A finite number and nothing else. Errors of all three: kInvalidRequest, a sentence without the flag's
+/// name.
+[[nodiscard]] Expected<double> parseNumber(std::string_view text);
+/// "x,y,yaw" [m, m, rad].
+[[nodiscard]] Expected<Pose> parsePose(std::string_view text);
+/// "x,y" or "x,y,yaw" [m, m, rad].
+[[nodiscard]] Expected<Goal> parseGoal(std::string_view text);
+
+/// --map and how to read it.
+struct MapArguments {
+    std::string file;
+    MapOptions options;
+};
+
+/// What is asked for, by names: which modes there are is known once the robot has been read.
+struct QueryArguments {
+    std::optional<Pose> start;
+    std::string start_mode;  ///< empty: the robot's first
+    std::optional<Goal> goal;
+    std::string goal_mode;  ///< empty: the robot's first
+    Policy policy = Policy::kPriority;
+    double max_detour = Request{}.max_detour;
+    std::chrono::milliseconds deadline{10'000};
+};
+
+/// Where the answer goes, besides the table on standard output.
+struct OutputArguments {
+    std::string json;  ///< a file, "-" for standard output, or empty
+    std::string svg;   ///< a file or empty
+};
+
+/// Add the flags to a subcommand. The arguments are filled when the command line is parsed, and must live
+/// until then.
+CLI::Option* addMap(CLI::App& command, MapArguments& arguments);
+void addRobot(CLI::App& command, std::string& robot);
+void addQuery(CLI::App& command, QueryArguments& arguments);
+void addOutput(CLI::App& command, OutputArguments& arguments);
+/// --pose and the like.
+CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<Pose>& pose,
+                     const std::string& help);
+/// --domain and --network: where robots and servers meet.
+void addDomain(CLI::App& command, DomainSettings& domain);
+/// --seed; the range of a 64 bit number.
+void addSeed(CLI::App& command, std::uint64_t& seed);
+
+/// The request in the robot's modes. Errors: kInvalidRequest when start or goal is missing or a mode is
+/// unknown.
+[[nodiscard]] Expected<Request> requestOf(const QueryArguments& arguments, const Robot& robot);
+
+}  // namespace underway

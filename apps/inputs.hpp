@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/arguments.hpp"
+#include "geometry/map.hpp"
+
+namespace underway {
+
+/// A map and a robot that have been read, to be shared between planner, checker and picture.
+struct Site {
+    std::shared_ptr<const World> world;
+    std::shared_ptr<const Robot> robot;
+    std::vector<Query> queries;  ///< that the map brings along
+};
+
+/// Errors: kInvalidMap or kInvalidRobot, one sentence; kInvalidRequest when no map was named.
+[[nodiscard]] Expected<Site> readSite(const MapArguments& map, const std::string& robot);
+
+/// The file a --robot means: itself if there is such a file, else robots/NAME.yaml of the source tree, of the
+/// installation, or beside the program, in this order. Errors: kInvalidRobot, naming the places looked at.
+[[nodiscard]] Expected<std::filesystem::path> findRobotFile(const std::string& robot);
+
+/// The query of that name as arguments; policy, detour and deadline stay as they were given. Errors:
+/// kInvalidRequest, naming the queries there are.
+[[nodiscard]] Expected<QueryArguments> queryNamed(const std::string& name, const std::vector<Query>& queries,
+                                                  QueryArguments arguments);
+
+}  // namespace underway

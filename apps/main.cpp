@@ -1,0 +1,54 @@
+#include <csignal>
+#include <exception>
+#include <new>
+#include <vector>
+
+#include "apps/commands.hpp"
+#include "apps/terminal.hpp"
+
+namespace {
+
+using underway::Command;
+using underway::ExitCode;
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  underway plan --map maps/scenario3.yaml --query under_the_table --svg plan.svg\n"
+    "  underway serve --map maps/scenario3.yaml &\n"
+    "  underway ask --start 0.6,2,0 --goal 5.4,2,0\n"
+    "'underway COMMAND --help' tells more about each.";
+
+ExitCode runCommandLine(int argc, char** argv) {
+    CLI::App program("Plans how a humanoid gets from here to there: walking, sidestepping, crawling.",
+                     "underway");
+    program.require_subcommand(1);
+    program.footer(kExamples);
+    const std::vector<Command> commands{underway::addPlanCommand(program), underway::addAskCommand(program),
+                                        underway::addServeCommand(program),
+                                        underway::addQueryCommand(program),
+                                        underway::addCheckCommand(program)};
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // --help
+        underway::complain(error.what());
+        return ExitCode::kInvalidInput;
+    }
+    for (const Command& command : commands)
+        if (command.app->parsed()) return command.run();
+    return ExitCode::kOther;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
+    try {
+        return static_cast<int>(runCommandLine(argc, argv));
+    } catch (const std::bad_alloc&) {
+        underway::complain("out of memory; give a smaller map");
+    } catch (const std::exception& error) {
+        underway::complain(std::string("a fault in the program: ") + error.what());
+    }
+    return static_cast<int>(ExitCode::kOther);
+}

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/motion.hpp"
+#include "geometry/robot.hpp"
+#include "geometry/world.hpp"
+
+namespace underway {
+
+class Judge;
+
+/// Where an obstacle comes closest to a moving body.
+struct Nearest {
+  std::string id;  ///< obstacle id
+  Point at;        ///< a point of the obstacle, as the mode sees it, in the map frame [m]
+};
+
+/// How close a motion comes to the obstacles its mode sees.
+struct Closeness {
+  double clearance_m = 0.0;          ///< planar; never above the truth and at most 1 mm below; capped
+  std::optional<Nearest> nearest;    ///< empty when nothing is closer than the cap
+  std::optional<double> headroom_m;  ///< smallest vertical gap above the body; empty when nothing hangs there
+};
+
+/// Answers what a robot may do in a world: is this motion free, and how close does it come? Which engine
+/// answers is nobody's business outside this folder.
+///
+/// A mode sees the slab [floor + max(step over, 5 mm), floor + body height]; obstacles are cut to it and
+/// projected. Touching is a collision. Translations sweep one box, widened to both sides by drift times
+/// length; a switch is its box; turns are judged conservatively to 0.1 mm.
+///
+/// Thread safety: every const member may be called from any number of threads.
+class Checker {
+ public:
+  Checker(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot);
+  ~Checker();
+  Checker(Checker&&) noexcept;
+  Checker& operator=(Checker&&) noexcept;
+
+  [[nodiscard]] const World& world() const;
+  [[nodiscard]] const Robot& robot() const;
+
+  /// Free of obstacles when the body grows by `margin_m` to all four sides, and inside the bounds as it is.
+  [[nodiscard]] bool isFree(const Motion& motion, double margin_m) const;
+  [[nodiscard]] bool isFree(const Motion& motion) const { return isFree(motion, robot().margin_m); }
+
+  /// Whether the whole body stays inside the bounds.
+  [[nodiscard]] bool isInBounds(const Motion& motion) const;
+
+  /// Clearance up to a cap, nearest obstacle and headroom. A turn's clearance is told at most
+  /// `turn_tolerance_m` too low, all others exactly.
+  [[nodiscard]] Closeness closeness(const Motion& motion, double cap_m = 1.0,
+                                    double turn_tolerance_m = 5e-4) const;
+
+  /// Whether the mode's body can turn all the way round at a point, kept `margin_m` from everything and in
+  /// bounds. Judged by the circle round the body: `false` may still leave single turns free.
+  [[nodiscard]] bool isFreeAllRound(ModeId mode, Point at, double margin_m) const;
+
+  /// Ids of obstacles that the motion touches when the body grows by `margin_m`, in the world's order, up to
+  /// `most`.
+  [[nodiscard]] std::vector<std::string> blockers(const Motion& motion, double margin_m,
+                                                  std::size_t most = 8) const;
+
+  /// The independent second opinion on a motion (geometry/judge.hpp); lives as long as the checker.
+  [[nodiscard]] const Judge& judge() const;
+
+ private:
+  struct Engine;
+  std::unique_ptr<const Engine> engine_;
+};
+
+}  // namespace underway

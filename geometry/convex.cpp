@@ -1,0 +1,69 @@
+#include "geometry/convex.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace underway {
+namespace {
+
+double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+
+Point nearestOnSegment(Point p, Point a, Point b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double squared = dx * dx + dy * dy;
+  if (squared == 0.0) return a;
+  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0);
+  return {a.x + t * dx, a.y + t * dy};
+}
+
+/// Whether all of b lies strictly outside one of a's edges.
+bool hasSeparatingEdge(ConvexView a, ConvexView b) {
+  if (a.size() < 2) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point from = a[i];
+    const Point to = a[(i + 1) % a.size()];
+    if (std::all_of(b.begin(), b.end(), [&](Point p) { return cross(from, to, p) < 0.0; })) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Point> convexHull(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(),
+            [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Point> hull;  // Andrew's monotone chain: the lower side, then the upper
+  const auto extend = [&hull](Point p, std::size_t keep) {
+    while (hull.size() >= keep + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Point p : points) extend(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) extend(*p, lower);
+  hull.pop_back();
+  return hull;
+}
+
+Gap gapBetween(ConvexView a, ConvexView b) {
+  if (!hasSeparatingEdge(a, b) && !hasSeparatingEdge(b, a)) return {0.0, b.front()};
+  Gap best{std::numeric_limits<double>::infinity(), {}};
+  const auto consider = [&best](Point on_a, Point on_b) {
+    const double d = distance(on_a, on_b);
+    if (d < best.distance_m) best = {d, on_b};
+  };
+  for (const Point corner : a)
+    for (std::size_t i = 0; i < b.size(); ++i)
+      consider(corner, nearestOnSegment(corner, b[i], b[(i + 1) % b.size()]));
+  for (const Point corner : b)
+    for (std::size_t i = 0; i < a.size(); ++i)
+      consider(nearestOnSegment(corner, a[i], a[(i + 1) % a.size()]), corner);
+  return best;
+}
+
+double distanceTo(ConvexView set, Point point) { return gapBetween(std::span(&point, 1), set).distance_m; }
+
+}  // namespace underway

@@ -1,0 +1,166 @@
+#include "planner/grow.hpp"
+
+#include <ompl/datastructures/NearestNeighborsGNAT.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/draft.hpp"
+#include "planner/rails.hpp"
+#include "planner/sampling.hpp"
+#include "planner/sites.hpp"
+
+namespace underway {
+namespace {
+
+using PlaceId = Draft::PlaceId;
+using Kind = PoseSampler::Kind;
+
+constexpr unsigned kSitesPerBatch = 24;
+constexpr unsigned kLinesPerBatch = 12;  // for each mode that is lower or narrower than the first
+constexpr std::size_t kNeighbours = 14;
+constexpr unsigned kProbes = 2000;  // poses drawn to see how much floor is free
+
+/// A seed for one use of one batch, spread by splitmix64.
+std::uint64_t seedOf(std::uint64_t seed, std::uint64_t batch, std::uint64_t use) {
+  std::uint64_t z = seed * 0x9e3779b97f4a7c15ULL + batch * 0xbf58476d1ce4e5b9ULL + use + 1;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+/// The width of the strip a mode's body covers as it moves along a sense [m].
+double strip(const Mode& mode, Sense sense) {
+  const bool along_x = sense == Sense::kForward || sense == Sense::kBackward;
+  return along_x ? mode.body_m.y.length() : mode.body_m.x.length();
+}
+
+double narrowestStrip(const Mode& mode) {
+  double narrowest = INFINITY;
+  for (const Sense sense : kSenses)
+    if (mode.canMove(sense)) narrowest = std::min(narrowest, strip(mode, sense));
+  return narrowest;
+}
+
+struct Located {
+  PlaceId place = 0;
+  Point at;
+  bool operator==(const Located& other) const { return place == other.place; }
+  bool operator!=(const Located& other) const { return place != other.place; }
+};
+
+}  // namespace
+
+struct Growth::State {
+  State(const Checker& c, GrowthSettings s)
+      : checker(c),
+        settings(s),
+        draft(c.robot()),
+        sites(c, draft, Draft::Check::kNow),
+        rails(c, draft, sites),
+        near(c.robot().modes.size()) {
+    const Robot& robot = checker.robot();
+    for (ModeId mode = 0; mode < robot.modes.size(); ++mode) {
+      overhangs.push_back(overhangsFor(checker.world(), robot, mode));
+      near[mode].setDistanceFunction([](const Located& a, const Located& b) { return distance(a.at, b.at); });
+      if (!standing && robot.modes[mode].canTurn()) standing = mode;
+    }
+  }
+
+  /// Connects places to their neighbours, and makes them neighbours of those to come.
+  void settle(const std::vector<PlaceId>& waiting) {
+    for (const PlaceId place : waiting) {
+      auto& near_mode = near[draft.modeOf(place)];
+      const Located here{place, draft.positionOf(place)};
+      std::vector<Located> found;
+      if (near_mode.size() > 0) near_mode.nearestK(here, kNeighbours, found);
+      std::vector<PlaceId> neighbours;
+      for (const Located& neighbour : found) neighbours.push_back(neighbour.place);
+      sites.connectAround(place, neighbours);
+      near_mode.add(here);
+    }
+  }
+
+  void addSites(std::uint32_t batch) {
+    if (!standing) return;
+    PoseSampler sampler(checker, *standing, {}, seedOf(settings.seed, batch, 0));
+    for (unsigned i = 0; i < kSitesPerBatch; ++i) {
+      const Kind kind = i % 4 == 2 ? Kind::kGaussian : i % 4 == 3 ? Kind::kBridge : Kind::kUniform;
+      if (const auto pose = sampler.sample(kind))
+        settle(sites.add(*standing, pose->position(), checker.robot().margin_m));
+    }
+  }
+
+  void addLowLines(std::uint32_t batch, ModeId mode) {
+    if (overhangs[mode].empty()) return;
+    PoseSampler sampler(checker, mode, overhangs[mode], seedOf(settings.seed, batch, 1U + mode));
+    for (unsigned i = 0; i < kLinesPerBatch; ++i) {
+      const auto pose = sampler.sample(Kind::kLowPlace);
+      if (!pose) continue;
+      const Mode& moving = checker.robot().modes[mode];
+      if (moving.canTurn()) settle(sites.add(mode, pose->position(), checker.robot().margin_m));
+      for (const Sense sense : kSenses)
+        if (moving.canMove(sense)) settle(rails.addThrough(mode, sense, *pose));
+    }
+  }
+
+  void addNarrowLines(std::uint32_t batch, ModeId mode) {
+    const Mode& moving = checker.robot().modes[mode];
+    if (!standing || !moving.canTurn() ||
+        narrowestStrip(moving) >= narrowestStrip(checker.robot().modes[*standing]))
+      return;
+    PoseSampler sampler(checker, mode, {}, seedOf(settings.seed, batch, 100U + mode));
+    for (unsigned i = 0; i < kLinesPerBatch; ++i) {
+      const auto pose = sampler.sample(Kind::kBridge);
+      if (!pose) continue;
+      for (const Sense sense : {Sense::kForward, Sense::kLeft})
+        if ((moving.canMove(sense) || moving.canMove(opposite(sense))) &&
+            strip(moving, sense) <= narrowestStrip(moving))
+          settle(rails.addNarrow(mode, sense, *pose));
+    }
+  }
+
+  const Checker& checker;
+  GrowthSettings settings;
+  Draft draft;
+  Sites sites;
+  Rails rails;
+  std::vector<ompl::NearestNeighborsGNAT<Located>> near;  // by mode
+  std::vector<std::vector<std::size_t>> overhangs;        // by mode
+  std::optional<ModeId> standing;                         // the first mode that turns: sites are drawn for it
+  std::uint32_t batches = 0;
+};
+
+Growth::Growth(const Checker& checker, GrowthSettings settings)
+    : state_(std::make_unique<State>(checker, settings)) {}
+Growth::~Growth() = default;
+
+void Growth::addBatch() {
+  const std::uint32_t batch = state_->batches++;
+  state_->addSites(batch);
+  for (ModeId mode = 0; mode < state_->checker.robot().modes.size(); ++mode) {
+    state_->addLowLines(batch, mode);
+    state_->addNarrowLines(batch, mode);
+  }
+}
+
+std::optional<Roadmap> Growth::freeze(Interrupt& interrupt) const {
+  auto roadmap = state_->draft.freeze(state_->checker, Draft::Check::kNow, interrupt);
+  if (roadmap) roadmap->batches = state_->batches;
+  return roadmap;
+}
+
+std::uint32_t Growth::batches() const { return state_->batches; }
+
+std::uint32_t Growth::batchesToCover() const {
+  constexpr double kFewest = 3.0;
+  constexpr double kMost = 400.0;
+  if (!state_->standing) return static_cast<std::uint32_t>(kFewest);
+  const Bounds& bounds = state_->checker.world().bounds();
+  PoseSampler sampler(state_->checker, *state_->standing, {}, seedOf(state_->settings.seed, 0, 1000));
+  const double free_m2 = bounds.width_m * bounds.height_m * sampler.freeShare(kProbes);
+  const double sites = free_m2 * state_->settings.sites_per_m2;
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(sites / kSitesPerBatch), kFewest, kMost));
+}
+
+}  // namespace underway

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "geometry/checker.hpp"
+#include "planner/interrupt.hpp"
+#include "planner/roadmap.hpp"
+#include "planner/settings.hpp"
+
+namespace underway {
+
+/// Grows a roadmap in numbered batches of fixed size. Batch k depends on world, robot, settings, seed and k
+/// alone; time only decides after which batch it stops. Not for several threads at once.
+///
+/// A batch draws, with OMPL: sites for the modes that turn (uniform, near obstacles, between obstacles);
+/// lines through low places for the modes that are lower; lines through narrow places for the modes that are
+/// narrower. Each new place is connected to its nearest neighbours, and every connection is checked exactly.
+class Growth {
+ public:
+  /// The checker must outlive it.
+  Growth(const Checker& checker, GrowthSettings settings);
+  ~Growth();
+
+  /// Adds the next batch, all of it: half a batch is no batch.
+  void addBatch();
+  /// The roadmap as grown; empty when interrupted.
+  [[nodiscard]] std::optional<Roadmap> freeze(Interrupt& interrupt) const;
+
+  [[nodiscard]] std::uint32_t batches() const;
+  /// How many batches cover the floor as densely as the settings ask.
+  [[nodiscard]] std::uint32_t batchesToCover() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace underway

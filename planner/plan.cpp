@@ -1,0 +1,31 @@
+#include "planner/plan.hpp"
+
+#include <array>
+
+namespace underway {
+namespace {
+
+constexpr std::array<std::string_view, 3> kPolicyNames{"priority", "fastest", "safest"};
+
+}  // namespace
+
+std::string_view name(Policy policy) { return kPolicyNames.at(static_cast<std::size_t>(policy)); }
+
+std::optional<Policy> findPolicy(std::string_view name) {
+  for (std::size_t i = 0; i < kPolicyNames.size(); ++i)
+    if (kPolicyNames[i] == name) return static_cast<Policy>(i);
+  return std::nullopt;
+}
+
+Plan timedPlan(std::vector<Segment> segments, const Pose& start) {
+  Plan plan;
+  plan.goal = segments.empty() ? start : segments.back().motion.to;
+  for (const Segment& segment : segments) {
+    plan.total_time_s += segment.duration_s;
+    plan.length_m += length(segment.motion);
+  }
+  plan.segments = std::move(segments);
+  return plan;
+}
+
+}  // namespace underway

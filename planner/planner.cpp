@@ -1,0 +1,108 @@
+#include "planner/planner.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <mutex>
+
+#include "planner/answer.hpp"
+#include "planner/grow.hpp"
+#include "planner/interrupt.hpp"
+
+namespace underway {
+
+/// The roadmap that answers now, and the growth behind it. Whoever grows holds `growing`; whoever reads or
+/// publishes the snapshot holds `published`, for no longer than a copy of the pointer takes.
+struct Planner::State {
+  State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings settings)
+      : checker(std::move(world), std::move(robot)), growth(checker, settings) {}
+
+  [[nodiscard]] std::shared_ptr<const Roadmap> current() const {
+    const std::lock_guard lock(published);
+    return snapshot;
+  }
+
+  /// Publishes the roadmap as grown. False when interrupted.
+  bool publish(Interrupt& interrupt) {
+    auto roadmap = growth.freeze(interrupt);
+    if (!roadmap) return false;
+    auto shared = std::make_shared<const Roadmap>(std::move(*roadmap));
+    const std::lock_guard lock(published);
+    snapshot = std::move(shared);
+    return true;
+  }
+
+  /// Grows until the floor is covered; a later call finds that done and returns at once.
+  void cover(Interrupt& interrupt, const Progress& progress) {
+    const std::lock_guard lock(growing);
+    if (current()) return;
+    const auto started = Clock::now();
+    const std::uint32_t wanted = growth.batchesToCover();
+    while (growth.batches() < wanted && !interrupt.isDue()) {
+      growth.addBatch();
+      if (progress) progress(static_cast<double>(growth.batches()) / wanted);
+    }
+    publish(interrupt);
+    build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
+  }
+
+  /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
+  /// this one grown by a fifth. False when interrupted.
+  bool growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
+    const std::lock_guard lock(growing);
+    if (current()->batches > roadmap.batches) return true;
+    const std::uint32_t wanted = growth.batches() + 1 + growth.batches() / 5;
+    while (growth.batches() < wanted) {
+      if (interrupt.isDue()) return false;
+      growth.addBatch();
+    }
+    return publish(interrupt);
+  }
+
+  Checker checker;
+  std::mutex growing;
+  Growth growth;
+  double build_ms = 0.0;  // written once, before the first snapshot is
+  mutable std::mutex published;
+  std::shared_ptr<const Roadmap> snapshot;
+};
+
+Planner::Planner(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot,
+                 GrowthSettings settings)
+    : state_(std::make_unique<State>(std::move(world), std::move(robot), settings)) {}
+Planner::~Planner() = default;
+
+std::shared_ptr<const Roadmap> Planner::roadmap() const { return state_->current(); }
+const Checker& Planner::checker() const { return state_->checker; }
+
+void Planner::prepare(Clock::time_point deadline, const Progress& progress, const std::stop_token& stop) {
+  Interrupt interrupt(deadline, stop);
+  state_->cover(interrupt, progress);
+}
+
+Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
+                             const std::stop_token& stop) {
+  if (const auto refused = refusal(state_->checker, request)) return tl::unexpected(*refused);
+  const auto started = Clock::now();
+  Interrupt interrupt(deadline, stop);
+  state_->cover(interrupt, {});
+  while (const auto roadmap = interrupt.isDue() ? nullptr : state_->current()) {
+    auto plan = answer(state_->checker, roadmap, request, interrupt);
+    if (!plan) return tl::unexpected(plan.error());
+    if (*plan) {
+      (*plan)->stats.build_ms = state_->build_ms;
+      return std::move(**plan);
+    }
+    if (!state_->growBeyond(*roadmap, interrupt)) break;
+  }
+  if (interrupt.isStopped())
+    return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
+  const auto roadmap = state_->current();
+  return fail(
+      ErrorCode::kTimeout,
+      fmt::format(
+          "no plan found in {:.1f} s, with {} batches of roadmap; there may be none: give it more time, "
+          "or look at the places with `underway query`",
+          std::chrono::duration<double>(Clock::now() - started).count(), roadmap ? roadmap->batches : 0U));
+}
+
+}  // namespace underway

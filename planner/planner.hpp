@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "geometry/checker.hpp"
+#include "planner/plan.hpp"
+#include "planner/roadmap.hpp"
+#include "planner/settings.hpp"
+
+namespace underway {
+
+/// Told while the roadmap grows: the share that is done, 0..1.
+using Progress = std::function<void(double)>;
+
+/// Plans in one world for one robot, on a shared roadmap that grows when a query needs it.
+///
+/// Thread safety: all members may be called from any number of threads. A query uses the snapshot it started
+/// with; growth publishes a new one.
+class Planner {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Planner(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot,
+          GrowthSettings settings = {});
+  ~Planner();
+
+  /// Grows the roadmap until it covers the floor (GrowthSettings). What has grown by the deadline is kept,
+  /// but only published when a later call has completed it.
+  void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
+
+  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout,
+  /// kCancelled, kInvalidRequest. If the roadmap does not hold a plan, it grows batch by batch until it does
+  /// or the deadline passes.
+  [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
+                                    const std::stop_token& stop = {});
+
+  /// The roadmap as it is now; empty before `prepare` and the first plan.
+  [[nodiscard]] std::shared_ptr<const Roadmap> roadmap() const;
+  [[nodiscard]] const Checker& checker() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace underway

@@ -1,0 +1,239 @@
+#include "planner/rails.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/plan.hpp"
+
+namespace underway {
+namespace {
+
+constexpr double kLongest_m = 4.0;  // looked at to either side of a pose
+constexpr double kStep_m = 0.05;    // between looks along a line
+constexpr double kExact_m = 1e-4;   // to which the end of a free stretch is found
+// A second way through keeps this much more from what it goes under than the margin, for those who want it
+// safest.
+constexpr double kRoom_m = kEnoughClearance_m;
+constexpr double kRoomStep_m = 0.1;  // between looks for room to turn
+constexpr double kRoomAway_m = 1.5;  // how far to look for it
+
+/// Halves an interval until the last free position before a blocked one is known to kExact_m.
+template <class IsFree>
+double lastFree(double free_m, double blocked_m, const IsFree& is_free) {
+  while (std::abs(blocked_m - free_m) > kExact_m) {
+    const double middle = 0.5 * (free_m + blocked_m);
+    (is_free(middle) ? free_m : blocked_m) = middle;
+  }
+  return free_m;
+}
+
+}  // namespace
+
+/// A straight line through a pose of a mode, measured from it along a sense [m].
+struct Rails::Line {
+  ModeId mode;
+  Sense sense;
+  Pose origin;
+
+  [[nodiscard]] Pose at(double along_m) const {
+    const double direction = origin.yaw + angleOf(sense);
+    return {origin.x + along_m * std::cos(direction), origin.y + along_m * std::sin(direction), origin.yaw};
+  }
+  /// The line's heading, bit for bit, for a pose that has it but for rounding.
+  [[nodiscard]] Pose onIt(const Pose& pose) const { return {pose.x, pose.y, origin.yaw}; }
+};
+
+double Rails::freeWay(const Line& line, double direction, double most_m) const {
+  const Sense sense = direction > 0.0 ? line.sense : opposite(line.sense);
+  const auto is_free = [&](double way) {
+    return checker_.isFree(translate(line.mode, sense, line.origin, way));
+  };
+  return is_free(most_m) ? most_m : lastFree(0.0, most_m, is_free);
+}
+
+std::vector<Rails::Stretch> Rails::freeStretches(const Line& line, const Switch& change, double begin_m,
+                                                 double end_m) const {
+  const auto is_free = [&](double along) {
+    const Pose pose = line.at(along);
+    return checker_.isFree(
+        switchModes(change, change.to == line.mode ? before(pose, change.displacement) : pose));
+  };
+  std::vector<Stretch> stretches;
+  const auto steps = static_cast<int>(std::ceil((end_m - begin_m) / kStep_m));
+  bool was_free = false;
+  double previous = begin_m;
+  for (int i = 0; i <= steps; ++i) {
+    const double along = std::min(end_m, begin_m + i * kStep_m);
+    const bool free = is_free(along);
+    if (free && !was_free) stretches.push_back({i == 0 ? along : lastFree(along, previous, is_free), along});
+    if (!free && was_free) stretches.back().end_m = lastFree(previous, along, is_free);
+    if (free) stretches.back().end_m = along;
+    was_free = free;
+    previous = along;
+  }
+  return stretches;
+}
+
+void Rails::addRoom(ModeId mode, PlaceId place, const Pose& pose, double direction,
+                    std::vector<PlaceId>& waiting) {
+  waiting.push_back(place);
+  const Mode& moving = checker_.robot().modes[mode];
+  if (!moving.canTurn() || (!moving.canMove(Sense::kForward) && !moving.canMove(Sense::kBackward))) return;
+  for (double away = 0.0; away <= kRoomAway_m; away += kRoomStep_m) {
+    const Motion step = translate(mode, direction > 0.0 ? Sense::kForward : Sense::kBackward, pose, away);
+    if (!checker_.isFreeAllRound(mode, step.to.position(), checker_.robot().margin_m)) continue;
+    if (away == 0.0 || !checker_.isFree(step)) return;
+    const auto room = sites_.add(mode, step.to.position(), checker_.robot().margin_m);
+    draft_.addTranslation(place, room[0], pose.yaw, step.sense);
+    waiting.insert(waiting.end(), room.begin(), room.end());
+    return;
+  }
+}
+
+Rails::PlaceId Rails::addEntry(const Switch& change, const Pose& standing, const Pose& low,
+                               std::vector<PlaceId>& waiting) {
+  const auto places = sites_.add(change.from, standing.position(), checker_.robot().margin_m);
+  waiting.insert(waiting.end(), places.begin() + 1, places.end());
+  addRoom(change.from, places[0], standing, -1.0, waiting);
+  const PlaceId place = draft_.addPlace(change.to, low.position(), checker_.robot().margin_m);
+  draft_.addSwitch(places[0], standing.yaw, place, low.yaw);
+  return place;
+}
+
+Rails::PlaceId Rails::addExit(const Switch& change, const Pose& low, std::vector<PlaceId>& waiting) {
+  const PlaceId place = draft_.addPlace(change.from, low.position(), checker_.robot().margin_m);
+  const Pose standing = compose(low, change.displacement);
+  const auto places = sites_.add(change.to, standing.position(), checker_.robot().margin_m);
+  waiting.insert(waiting.end(), places.begin() + 1, places.end());
+  addRoom(change.to, places[0], standing, 1.0, waiting);
+  draft_.addSwitch(place, low.yaw, places[0], standing.yaw);
+  return place;
+}
+
+void Rails::addPassage(const Line& line, const Switch& down, const Switch& up, double entry_m, double exit_m,
+                       std::vector<PlaceId>& waiting) {
+  const Pose standing = before(line.at(entry_m), down.displacement);
+  const Pose low = line.onIt(compose(standing, down.displacement));
+  const Motion crawl = translate(line.mode, line.sense, low, exit_m - entry_m);
+  if (!checker_.isFree(crawl)) return;
+  const PlaceId from = addEntry(down, standing, low, waiting);
+  const PlaceId to = addExit(up, crawl.to, waiting);
+  draft_.addTranslation(from, to, low.yaw, line.sense);
+}
+
+std::vector<Rails::PlaceId> Rails::addThrough(ModeId mode, Sense sense, const Pose& pose) {
+  const Line line{mode, sense, pose};
+  const double begin = -freeWay(line, -1.0, kLongest_m);
+  const double end = freeWay(line, 1.0, kLongest_m);
+  std::vector<PlaceId> waiting;
+  for (const Switch& down : checker_.robot().switches) {
+    if (down.to != mode) continue;
+    const std::vector<Stretch> downs = freeStretches(line, down, begin, end);
+    for (const Switch& up : checker_.robot().switches) {
+      if (up.from != mode) continue;
+      const std::vector<Stretch> ups = freeStretches(line, up, begin, end);
+      for (const Stretch& entry : downs) {
+        const auto exit =
+            std::find_if(ups.begin(), ups.end(), [&](const Stretch& u) { return u.begin_m > entry.end_m; });
+        if (exit == ups.end()) break;
+        for (const double room : {0.0, kRoom_m})
+          if (entry.end_m - room >= entry.begin_m && exit->begin_m + room <= exit->end_m)
+            addPassage(line, down, up, entry.end_m - room, exit->begin_m + room, waiting);
+      }
+    }
+  }
+  return waiting;
+}
+
+std::vector<Rails::PlaceId> Rails::addExits(PlaceId place, Sense sense, const Pose& pose) {
+  const Line line{draft_.modeOf(place), sense, pose};
+  const double end = freeWay(line, 1.0, kLongest_m);
+  std::vector<PlaceId> waiting;
+  for (const Switch& up : checker_.robot().switches) {
+    if (up.from != line.mode) continue;
+    for (const Stretch& stretch : freeStretches(line, up, 0.0, end)) {
+      if (stretch.begin_m == 0.0) continue;  // a switch at the place itself is the caller's
+      const Motion crawl = translate(line.mode, sense, pose, stretch.begin_m);
+      if (!checker_.isFree(crawl)) continue;
+      draft_.addTranslation(place, addExit(up, crawl.to, waiting), pose.yaw, sense);
+    }
+  }
+  return waiting;
+}
+
+std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, Sense sense, const Pose& pose) {
+  const Line line{draft_.modeOf(place), sense, pose};
+  const double begin = -freeWay(line, -1.0, kLongest_m);
+  std::vector<PlaceId> waiting;
+  for (const Switch& down : checker_.robot().switches) {
+    if (down.to != line.mode) continue;
+    for (const Stretch& stretch : freeStretches(line, down, begin, 0.0)) {
+      if (stretch.end_m == 0.0) continue;  // as above
+      const Pose standing = before(line.at(stretch.end_m), down.displacement);
+      const Pose low = line.onIt(compose(standing, down.displacement));
+      if (!checker_.isFree(translate(line.mode, sense, low, pose.position()))) continue;
+      draft_.addTranslation(addEntry(down, standing, low, waiting), place, pose.yaw, sense);
+    }
+  }
+  return waiting;
+}
+
+std::vector<Rails::PlaceId> Rails::addNarrow(ModeId mode, Sense sense, const Pose& pose) {
+  const Line line{mode, sense, pose};
+  const double margin = checker_.robot().margin_m;
+  std::vector<PlaceId> waiting = sites_.add(mode, pose.position(), margin);
+  const PlaceId middle = waiting[0];
+  for (const double direction : {-1.0, 1.0}) {
+    const double end = freeWay(line, direction, kRoomAway_m);
+    double away = kRoomStep_m;
+    while (away < end && !checker_.isFreeAllRound(mode, line.at(direction * away).position(), margin))
+      away += kRoomStep_m;
+    if (std::min(away, end) < kExact_m) continue;
+    const Sense along = direction > 0.0 ? sense : opposite(sense);
+    const Motion step = translate(mode, along, pose, std::min(away, end));
+    const auto side = sites_.add(mode, step.to.position(), margin);
+    draft_.addTranslation(middle, side[0], pose.yaw, along);
+    waiting.insert(waiting.end(), side.begin(), side.end());
+  }
+  return waiting;
+}
+
+std::vector<Rails::PlaceId> Rails::addWayOut(PlaceId place, Sense sense, const Pose& pose) {
+  const ModeId mode = draft_.modeOf(place);
+  const double margin = checker_.robot().margin_m;
+  const auto is_free = [&](double way) {
+    return isFreeKeeping(checker_, translate(mode, sense, pose, way), draft_.keepOf(place));
+  };
+  double away = kRoomStep_m;
+  while (away < kRoomAway_m && is_free(away)) {
+    if (checker_.isFreeAllRound(mode, translate(mode, sense, pose, away).to.position(), margin)) break;
+    away += kRoomStep_m;
+  }
+  if (!is_free(away)) away = lastFree(0.0, away, is_free);
+  const Motion step = translate(mode, sense, pose, away);
+  // Further on the margin holds again, or this is no way out.
+  if (away < kExact_m || !checker_.isFree(stay(mode, step.to))) return {};
+  const auto out = sites_.add(mode, step.to.position(), margin);
+  draft_.addTranslation(place, out[0], pose.yaw, sense);
+  return out;
+}
+
+std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, ModeId mode) {
+  const double low = world.floorZ() + robot.modes[mode].body_m.z.max;
+  double high = low;
+  for (const Mode& other : robot.modes) high = std::max(high, world.floorZ() + other.body_m.z.max);
+  std::vector<std::size_t> overhangs;
+  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
+    const OrientedBox& box = world.obstacles()[i].box;
+    const auto vertices = corners(box);
+    const auto [lowest, highest] = std::minmax_element(
+        vertices.begin(), vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+    const bool hangs = lowest->z > low && lowest->z <= high;
+    const bool leans =
+        (box.rpy_rad.x != 0.0 || box.rpy_rad.y != 0.0) && highest->z > low && lowest->z <= high;
+    if (hangs || leans) overhangs.push_back(i);
+  }
+  return overhangs;
+}
+
+}  // namespace underway

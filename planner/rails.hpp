@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/checker.hpp"
+#include "planner/draft.hpp"
+#include "planner/sites.hpp"
+
+namespace underway {
+
+/// Straight lines through places that only a lower mode passes: a switch into the mode, a translation, a
+/// switch out of it. A mode that cannot turn lives on such lines alone: two poses of it drawn at random are
+/// never in line.
+class Rails {
+ public:
+  using PlaceId = Draft::PlaceId;
+
+  /// All must outlive it.
+  Rails(const Checker& checker, Draft& draft, Sites& sites)
+      : checker_(checker), draft_(draft), sites_(sites) {}
+
+  /// The line through a free pose of a mode, along one of its senses: goes down as late as it can before each
+  /// low place on it and gets up as early as it can after it. Returns the places of other modes that wait to
+  /// be connected to the rest of the roadmap.
+  std::vector<PlaceId> addThrough(ModeId mode, Sense sense, const Pose& pose);
+
+  /// From a place in a mode that is on the line already: where it gets up ahead.
+  std::vector<PlaceId> addExits(PlaceId place, Sense sense, const Pose& pose);
+  /// To such a place: where it went down behind.
+  std::vector<PlaceId> addEntries(PlaceId place, Sense sense, const Pose& pose);
+
+  /// A line through a narrow place for a mode that turns: a place at the pose, and one on either side, as
+  /// near as the mode can turn. All wait to be connected further.
+  std::vector<PlaceId> addNarrow(ModeId mode, Sense sense, const Pose& pose);
+
+  /// A way out of a place too tight to turn in: straight along a sense to where the mode can turn, or as far
+  /// as it goes. The new places wait to be connected.
+  std::vector<PlaceId> addWayOut(PlaceId place, Sense sense, const Pose& pose);
+
+ private:
+  struct Stretch {
+    double begin_m;
+    double end_m;
+  };
+  struct Line;
+
+  /// Where along a line a switch is free, between two positions on it, to 0.1 mm.
+  [[nodiscard]] std::vector<Stretch> freeStretches(const Line& line, const Switch& change, double begin_m,
+                                                   double end_m) const;
+  [[nodiscard]] double freeWay(const Line& line, double direction, double most_m) const;
+  /// Down at one position on a line, along it, up at another; if that is free.
+  void addPassage(const Line& line, const Switch& down, const Switch& up, double entry_m, double exit_m,
+                  std::vector<PlaceId>& waiting);
+  /// The place a switch leads from or to, with room to turn near it if there is any.
+  PlaceId addEntry(const Switch& change, const Pose& standing, const Pose& low,
+                   std::vector<PlaceId>& waiting);
+  PlaceId addExit(const Switch& change, const Pose& low, std::vector<PlaceId>& waiting);
+  void addRoom(ModeId mode, PlaceId place, const Pose& pose, double direction, std::vector<PlaceId>& waiting);
+
+  const Checker& checker_;
+  Draft& draft_;
+  Sites& sites_;
+};
+
+/// Whether a mode may pass where the first one cannot because it is lower than it: the obstacles that hang
+/// above it.
+[[nodiscard]] std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, ModeId mode);
+
+}  // namespace underway
