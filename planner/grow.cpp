@@ -49,6 +49,14 @@ struct Located {
   bool operator!=(const Located& other) const { return place != other.place; }
 };
 
+/// The distance, and so little of the difference in number that it only decides between places equally far:
+/// OMPL's tree finds those in an order that depends on more than the seed.
+double apart(const Located& a, const Located& b) {
+  constexpr double kTieBreak_m = 1e-12;
+  return distance(a.at, b.at) +
+         kTieBreak_m * std::abs(static_cast<double>(a.place) - static_cast<double>(b.place));
+}
+
 }  // namespace
 
 struct Growth::State {
@@ -62,7 +70,7 @@ struct Growth::State {
     const Robot& robot = checker.robot();
     for (ModeId mode = 0; mode < robot.modes.size(); ++mode) {
       overhangs.push_back(overhangsFor(checker.world(), robot, mode));
-      near[mode].setDistanceFunction([](const Located& a, const Located& b) { return distance(a.at, b.at); });
+      near[mode].setDistanceFunction(apart);
       if (!standing && robot.modes[mode].canTurn()) standing = mode;
     }
   }

@@ -1,0 +1,188 @@
+#include "planner/planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "planner/certify.hpp"
+#include "tests/planner/fixture.hpp"
+
+namespace underway {
+namespace {
+
+using test::metresIn;
+using test::requestFor;
+using test::soon;
+
+constexpr ModeId kFrontal = 0, kLateral = 1, kCrawl = 2;
+const Pose kLeft{0.6, 2.0, 0.0};
+const Pose kRight{5.4, 2.0, 0.0};
+const Pose kRightOfTheBlock{3.4, 1.5, 0.0};  // in scenario 1, which is smaller
+
+std::unique_ptr<Planner> plannerFor(const std::string& map, std::uint64_t seed = 1) {
+  return std::make_unique<Planner>(test::ourWorld(map), test::nao(), GrowthSettings{seed, 3.0});
+}
+
+std::unique_ptr<Planner> plannerIn(std::vector<Obstacle> obstacles) {
+  const auto world = World::make("room", {{0, 0, 0}, 6, 4}, 0.0, std::move(obstacles));
+  return std::make_unique<Planner>(std::make_shared<const World>(*world), test::nao());
+}
+
+/// That a plan exists and is sound, and the plan.
+Plan soundPlan(Planner& dut, const Request& request) {
+  const auto plan = dut.plan(request, soon());
+  if (!plan) {
+    ADD_FAILURE() << plan.error().message;
+    return {};
+  }
+  for (const Flaw& flaw : certify(*plan, request, dut.checker()))
+    ADD_FAILURE() << "segment " << flaw.segment << " " << flaw.sentence;
+  return *plan;
+}
+
+TEST(Planner, CrawlsOnlyUnderTheLowPlaceAndStandsUpAfterIt) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Plan plan = soundPlan(*plannerFor("scenario3", seed), requestFor(kLeft, kRight));
+    EXPECT_LT(metresIn(plan, kCrawl), 1.31) << "seed " << seed;  // 1.30 m is the shortest there is
+    EXPECT_GT(metresIn(plan, kCrawl), 1.29) << "seed " << seed;
+    ASSERT_FALSE(plan.segments.empty());
+    EXPECT_EQ(plan.segments.back().motion.to_mode, kFrontal);
+  }
+}
+
+TEST(Planner, PassesANarrowPlaceSidewaysAndABroadOneFrontally) {
+  EXPECT_GT(metresIn(soundPlan(*plannerFor("scenario2a"), requestFor(kLeft, kRight)), kLateral), 0.3);
+  EXPECT_GT(metresIn(soundPlan(*plannerFor("scenario2b"), requestFor(kLeft, kRight)), kLateral), 0.3);
+  EXPECT_EQ(metresIn(soundPlan(*plannerFor("scenario1"), requestFor(kLeft, kRightOfTheBlock)), kLateral),
+            0.0);
+}
+
+TEST(Planner, GivesTheSamePlanForTheSameSeedAlsoFromTwoThreads) {
+  const Request request = requestFor(kLeft, kRight);
+  const Plan once = soundPlan(*plannerFor("scenario3", 7), request);
+  const auto shared = plannerFor("scenario3", 7);
+  Plan first, second;
+  {
+    std::jthread one([&] { first = soundPlan(*shared, request); });
+    std::jthread two([&] { second = soundPlan(*shared, request); });
+  }
+  for (const Plan* plan : {&first, &second}) {
+    ASSERT_EQ(plan->segments.size(), once.segments.size());
+    for (std::size_t i = 0; i < once.segments.size(); ++i)
+      EXPECT_EQ(plan->segments[i].motion, once.segments[i].motion);
+  }
+}
+
+double leastClearance(const Plan& plan) {
+  double least = kEnoughClearance_m;
+  for (const Segment& segment : plan.segments) least = std::min(least, segment.closeness.clearance_m);
+  return least;
+}
+
+TEST(Planner, KeepsTheLawsOfThePolicies) {
+  for (const char* map : {"scenario2a", "scenario2b", "scenario3"}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const auto dut = plannerFor(map, seed);
+      Request request = requestFor(kLeft, kRight);
+      request.max_detour = 1e9;
+      const Plan priority = soundPlan(*dut, request);
+      request.policy = Policy::kFastest;
+      const Plan fastest = soundPlan(*dut, request);
+      request.policy = Policy::kSafest;
+      const Plan safest = soundPlan(*dut, request);
+      EXPECT_LE(metresIn(priority, kCrawl), metresIn(fastest, kCrawl)) << map << " seed " << seed;
+      EXPECT_GE(leastClearance(safest), leastClearance(fastest)) << map << " seed " << seed;
+      EXPECT_LE(fastest.total_time_s, priority.total_time_s + 1e-9) << map << " seed " << seed;
+    }
+  }
+}
+
+TEST(Planner, TakesTheFastestPlanWhenPriorityWouldGoTooFarRound) {
+  // A table across the room with a way round its far end: the crawl is short, the way round is long.
+  const Obstacle table{"table", {{3.0, 1.6, 0.45}, {0.4, 3.2, 0.4}, {}}};
+  const auto dut = plannerIn({table});
+  Request request = requestFor({2.0, 0.5, 0.0}, {4.2, 0.5, 0.0});
+  EXPECT_EQ(metresIn(soundPlan(*dut, request), kCrawl), 0.0);
+  request.max_detour = 1.0;
+  const Plan hurried = soundPlan(*dut, request);
+  request.policy = Policy::kFastest;
+  EXPECT_EQ(hurried.total_time_s, soundPlan(*dut, request).total_time_s);
+}
+
+TEST(Planner, StartsAndEndsUnderATable) {
+  const auto dut = plannerFor("scenario3");
+  Request out = requestFor({4.0, 2.0, 0.0}, kRight);
+  out.start_mode = kCrawl;
+  EXPECT_GT(metresIn(soundPlan(*dut, out), kCrawl), 0.1);
+  Request in = requestFor(kLeft, {4.0, 2.0, 0.0});
+  in.goal_mode = kCrawl;
+  const Plan plan = soundPlan(*dut, in);
+  ASSERT_FALSE(plan.segments.empty());
+  EXPECT_EQ(plan.segments.back().motion.to_mode, kCrawl);
+}
+
+TEST(Planner, LeavesTheGoalsHeadingOpenWhenItIsNotGiven) {
+  const auto dut = plannerFor("scenario1");
+  Request request = requestFor(kLeft, kRightOfTheBlock);
+  const double with_heading = soundPlan(*dut, request).total_time_s;
+  request.goal_yaw.reset();
+  EXPECT_LE(soundPlan(*dut, request).total_time_s, with_heading + 1e-9);
+}
+
+TEST(Planner, NeedsNoMotionToStayAndOnlyATurnToTurn) {
+  const auto dut = plannerFor("scenario1");
+  EXPECT_TRUE(soundPlan(*dut, requestFor(kLeft, kLeft)).segments.empty());
+  const Plan turning = soundPlan(*dut, requestFor(kLeft, {kLeft.x, kLeft.y, 1.0}));
+  ASSERT_EQ(turning.segments.size(), 1U);
+  EXPECT_NEAR(turning.segments[0].motion.angle_rad, 1.0, 1e-12);
+}
+
+TEST(Planner, LeavesAPoseThatIsCloserToAWallThanTheMargin) {
+  // 5 mm from the wall in front; the margin is 20 mm.
+  const auto dut = plannerIn({{"wall", {{3.0, 2.0, 0.5}, {0.2, 4.0, 1.0}, {}}}});
+  const Plan plan = soundPlan(*dut, requestFor({2.765, 2.0, 0.0}, {1.0, 1.0, 0.0}));
+  ASSERT_FALSE(plan.segments.empty());
+  EXPECT_NEAR(plan.segments[0].closeness.clearance_m, 0.005, 1e-5);
+  for (std::size_t i = 1; i < plan.segments.size(); ++i)
+    EXPECT_GE(plan.segments[i].closeness.clearance_m, 0.0194);
+}
+
+TEST(Planner, SaysWhatTheStartTouchesAndInWhichMode) {
+  const auto dut = plannerFor("scenario3");
+  const auto plan = dut->plan(requestFor({4.0, 2.0, 0.0}, kRight), soon());
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().code, ErrorCode::kStartInCollision);
+  EXPECT_NE(plan.error().message.find("table_top"), std::string::npos);
+  EXPECT_NE(plan.error().message.find("frontal"), std::string::npos);
+  ASSERT_EQ(plan.error().blocking.size(), 1U);
+  EXPECT_EQ(plan.error().blocking[0].obstacle, "table_top");
+  EXPECT_NEAR(plan.error().blocking[0].has_m, 0.30, 1e-9);
+}
+
+TEST(Planner, RefusesWhatItCannotBeAsked) {
+  const auto dut = plannerFor("scenario2a");
+  const auto code = [&](const Request& request) { return dut->plan(request, soon()).error().code; };
+  EXPECT_EQ(code(requestFor({9.0, 2.0, 0.0}, kRight)), ErrorCode::kStartOutOfBounds);
+  EXPECT_EQ(code(requestFor(kLeft, {5.95, 2.0, 0.0})), ErrorCode::kGoalOutOfBounds);
+  EXPECT_EQ(code(requestFor({std::nan(""), 2.0, 0.0}, kRight)), ErrorCode::kInvalidRequest);
+  EXPECT_EQ(code(requestFor(kLeft, {5.0, 2.0, INFINITY})), ErrorCode::kInvalidRequest);
+  Request request = requestFor(kLeft, kRight);
+  request.start_mode = 7;
+  EXPECT_EQ(code(request), ErrorCode::kInvalidRequest);
+}
+
+TEST(Planner, GivesUpAtTheDeadlineAndWhenCancelled) {
+  const auto dut = plannerFor("too_low");
+  Request request = requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0});
+  const auto late = dut->plan(request, Planner::Clock::now() + std::chrono::milliseconds(300));
+  ASSERT_FALSE(late.has_value());
+  EXPECT_EQ(late.error().code, ErrorCode::kTimeout);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(dut->plan(request, soon(), stop.get_token()).error().code, ErrorCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace underway
