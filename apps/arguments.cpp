@@ -11,167 +11,166 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Expected<std::vector<double>> parseNumbers(std::string_view text) {
-    std::vector<double> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const Expected<double> number = parseNumber(text.substr(begin, end - begin));
-        if (!number) return tl::unexpected(number.error());
-        numbers.push_back(*number);
-        begin = end + 1;
-    }
-    return numbers;
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const Expected<double> number = parseNumber(text.substr(begin, end - begin));
+    if (!number) return tl::unexpected(number.error());
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 /// An option whose text is turned into a value, or refused with a sentence, by `parse`.
 template <class Value, class Parse>
 CLI::Option* addParsed(CLI::App& command, const std::string& flag, Value& value, Parse parse,
                        const std::string& shape, const std::string& help) {
-    const auto read = [flag, parse, &value](const std::string& text) {
-        const auto parsed = parse(text);
-        if (!parsed) throw CLI::ValidationError(flag, parsed.error().message);
-        value = *parsed;
-    };
-    return command.add_option_function<std::string>(flag, read, help)->type_name(shape);
+  const auto read = [flag, parse, &value](const std::string& text) {
+    const auto parsed = parse(text);
+    if (!parsed) throw CLI::ValidationError(flag, parsed.error().message);
+    value = *parsed;
+  };
+  return command.add_option_function<std::string>(flag, read, help)->type_name(shape);
 }
 
 /// A number inside a range; `inf` only where the range ends there. (CLI::Range lets NaN pass.)
 auto within(double least, double most) {
-    return [=](const std::string& text) -> Expected<double> {
-        const Expected<double> number = most == kInfinity && text == "inf" ? kInfinity : parseNumber(text);
-        if (!number || (*number >= least && *number <= most)) return number;
-        const std::string upper = most == kInfinity ? " or more" : " to " + CLI::detail::to_string(most);
-        return fail(ErrorCode::kInvalidRequest,
-                    "\"" + text + "\" is out of range; give " + CLI::detail::to_string(least) + upper);
-    };
+  return [=](const std::string& text) -> Expected<double> {
+    const Expected<double> number = most == kInfinity && text == "inf" ? kInfinity : parseNumber(text);
+    if (!number || (*number >= least && *number <= most)) return number;
+    const std::string upper = most == kInfinity ? " or more" : " to " + CLI::detail::to_string(most);
+    return fail(ErrorCode::kInvalidRequest,
+                "\"" + text + "\" is out of range; give " + CLI::detail::to_string(least) + upper);
+  };
 }
 
 Expected<ModeId> modeOf(const std::string& mode_name, const std::string& flag, const Robot& robot) {
-    if (mode_name.empty()) return ModeId{0};
-    if (const std::optional<ModeId> mode = robot.findMode(mode_name)) return *mode;
-    std::string known;
-    for (const Mode& mode : robot.modes) known += (known.empty() ? "" : ", ") + mode.name;
-    return fail(ErrorCode::kInvalidRequest,
-                flag + ": robot \"" + robot.name + "\" has no mode \"" + mode_name + "\"; it has " + known);
+  if (mode_name.empty()) return ModeId{0};
+  if (const std::optional<ModeId> mode = robot.findMode(mode_name)) return *mode;
+  std::string known;
+  for (const Mode& mode : robot.modes) known += (known.empty() ? "" : ", ") + mode.name;
+  return fail(ErrorCode::kInvalidRequest,
+              flag + ": robot \"" + robot.name + "\" has no mode \"" + mode_name + "\"; it has " + known);
 }
 
 }  // namespace
 
 Expected<double> parseNumber(std::string_view text) {
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc{} || stopped != end || text.empty())
-        return fail(ErrorCode::kInvalidRequest, "\"" + std::string(text) + "\" is not a number");
-    if (!std::isfinite(number))
-        return fail(ErrorCode::kInvalidRequest,
-                    "\"" + std::string(text) + "\" is not finite; give finite numbers");
-    return number;
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stopped != end || text.empty())
+    return fail(ErrorCode::kInvalidRequest, "\"" + std::string(text) + "\" is not a number");
+  if (!std::isfinite(number))
+    return fail(ErrorCode::kInvalidRequest,
+                "\"" + std::string(text) + "\" is not finite; give finite numbers");
+  return number;
 }
 
 Expected<Pose> parsePose(std::string_view text) {
-    const Expected<std::vector<double>> numbers = parseNumbers(text);
-    if (!numbers) return tl::unexpected(numbers.error());
-    if (numbers->size() != 3)
-        return fail(ErrorCode::kInvalidRequest, "\"" + std::string(text) + "\" is not a pose; give x,y,yaw");
-    return Pose{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const Expected<std::vector<double>> numbers = parseNumbers(text);
+  if (!numbers) return tl::unexpected(numbers.error());
+  if (numbers->size() != 3)
+    return fail(ErrorCode::kInvalidRequest, "\"" + std::string(text) + "\" is not a pose; give x,y,yaw");
+  return Pose{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
 Expected<Goal> parseGoal(std::string_view text) {
-    const Expected<std::vector<double>> numbers = parseNumbers(text);
-    if (!numbers) return tl::unexpected(numbers.error());
-    if (numbers->size() != 2 && numbers->size() != 3)
-        return fail(ErrorCode::kInvalidRequest,
-                    "\"" + std::string(text) + "\" is not a goal; give x,y or x,y,yaw");
-    Goal goal{{(*numbers)[0], (*numbers)[1]}, {}};
-    if (numbers->size() == 3) goal.yaw = (*numbers)[2];
-    return goal;
+  const Expected<std::vector<double>> numbers = parseNumbers(text);
+  if (!numbers) return tl::unexpected(numbers.error());
+  if (numbers->size() != 2 && numbers->size() != 3)
+    return fail(ErrorCode::kInvalidRequest,
+                "\"" + std::string(text) + "\" is not a goal; give x,y or x,y,yaw");
+  Goal goal{{(*numbers)[0], (*numbers)[1]}, {}};
+  if (numbers->size() == 3) goal.yaw = (*numbers)[2];
+  return goal;
 }
 
 CLI::Option* addMap(CLI::App& command, MapArguments& arguments) {
-    CLI::Option* const map =
-        command.add_option("--map", arguments.file, "Scenario YAML, ROS map_server YAML, or an image")
-            ->type_name("FILE");
-    MapOptions& options = arguments.options;
-    const auto unknown = [](const std::string& text) -> Expected<Unknown> {
-        if (text == "occupied") return Unknown::kOccupied;
-        if (text == "free") return Unknown::kFree;
-        return fail(ErrorCode::kInvalidRequest, "\"" + text + "\" is neither \"occupied\" nor \"free\"");
-    };
-    addParsed(command, "--unknown", options.unknown, unknown, "occupied|free",
-              "What unseen cells count as (occupied)");
-    addParsed(command, "--resolution-m", options.resolution_m, within(1e-6, 1e5), "R",
-              "Image only: size of a cell");
-    addParsed(command, "--origin", options.origin, parsePose, "X,Y,YAW",
-              "Image only: pose of the lower left corner");
-    addParsed(command, "--occupied-thresh", options.occupied_thresh, within(0.0, 1.0), "P",
-              "Image only: cells above are walls");
-    addParsed(command, "--free-thresh", options.free_thresh, within(0.0, 1.0), "P",
-              "Image only: cells below are free");
-    return map;
+  CLI::Option* const map =
+      command.add_option("--map", arguments.file, "Scenario YAML, ROS map_server YAML, or an image")
+          ->type_name("FILE");
+  MapOptions& options = arguments.options;
+  const auto unknown = [](const std::string& text) -> Expected<Unknown> {
+    if (text == "occupied") return Unknown::kOccupied;
+    if (text == "free") return Unknown::kFree;
+    return fail(ErrorCode::kInvalidRequest, "\"" + text + "\" is neither \"occupied\" nor \"free\"");
+  };
+  addParsed(command, "--unknown", options.unknown, unknown, "occupied|free",
+            "What unseen cells count as (occupied)");
+  addParsed(command, "--resolution-m", options.resolution_m, within(1e-6, 1e5), "R",
+            "Image only: size of a cell");
+  addParsed(command, "--origin", options.origin, parsePose, "X,Y,YAW",
+            "Image only: pose of the lower left corner");
+  addParsed(command, "--occupied-thresh", options.occupied_thresh, within(0.0, 1.0), "P",
+            "Image only: cells above are walls");
+  addParsed(command, "--free-thresh", options.free_thresh, within(0.0, 1.0), "P",
+            "Image only: cells below are free");
+  return map;
 }
 
 void addRobot(CLI::App& command, std::string& robot) {
-    robot = "nao";
-    command.add_option("--robot", robot, "A robot file, or the name of one that comes along (nao)")
-        ->type_name("FILE|NAME");
+  robot = "nao";
+  command.add_option("--robot", robot, "A robot file, or the name of one that comes along (nao)")
+      ->type_name("FILE|NAME");
 }
 
 CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<Pose>& pose,
                      const std::string& help) {
-    return addParsed(command, flag, pose, parsePose, "X,Y,YAW", help);
+  return addParsed(command, flag, pose, parsePose, "X,Y,YAW", help);
 }
 
 void addQuery(CLI::App& command, QueryArguments& arguments) {
-    const auto policy = [](const std::string& text) -> Expected<Policy> {
-        if (const std::optional<Policy> found = findPolicy(text)) return *found;
-        return fail(ErrorCode::kInvalidRequest, "\"" + text + "\" is none of priority, fastest, safest");
-    };
-    const auto deadline = [](const std::string& text) -> Expected<std::chrono::milliseconds> {
-        constexpr double kDay_ms = 86'400'000.0;
-        return within(1.0, kDay_ms)(text).map(
-            [](double ms) { return std::chrono::milliseconds(static_cast<std::int64_t>(ms)); });
-    };
-    addPose(command, "--start", arguments.start, "Where the robot is [m, m, rad]");
-    command.add_option("--start-mode", arguments.start_mode, "Mode it is in (the robot's first)")
-        ->type_name("MODE");
-    addParsed(command, "--goal", arguments.goal, parseGoal, "X,Y[,YAW]",
-              "Where it shall be; without a yaw, any");
-    command.add_option("--goal-mode", arguments.goal_mode, "Mode it shall be in (the robot's first)")
-        ->type_name("MODE");
-    addParsed(command, "--policy", arguments.policy, policy, "priority|fastest|safest",
-              "What 'best' means (priority)");
-    addParsed(command, "--max-detour", arguments.max_detour, within(1.0, kInfinity), "F",
-              "priority takes the fastest plan when its own takes F times as long (3; inf: never)");
-    addParsed(command, "--deadline-ms", arguments.deadline, deadline, "N", "Time for the answer (10000)");
+  const auto policy = [](const std::string& text) -> Expected<Policy> {
+    if (const std::optional<Policy> found = findPolicy(text)) return *found;
+    return fail(ErrorCode::kInvalidRequest, "\"" + text + "\" is none of priority, fastest, safest");
+  };
+  const auto deadline = [](const std::string& text) -> Expected<std::chrono::milliseconds> {
+    constexpr double kDay_ms = 86'400'000.0;
+    return within(1.0, kDay_ms)(text).map(
+        [](double ms) { return std::chrono::milliseconds(static_cast<std::int64_t>(ms)); });
+  };
+  addPose(command, "--start", arguments.start, "Where the robot is [m, m, rad]");
+  command.add_option("--start-mode", arguments.start_mode, "Mode it is in (the robot's first)")
+      ->type_name("MODE");
+  addParsed(command, "--goal", arguments.goal, parseGoal, "X,Y[,YAW]",
+            "Where it shall be; without a yaw, any");
+  command.add_option("--goal-mode", arguments.goal_mode, "Mode it shall be in (the robot's first)")
+      ->type_name("MODE");
+  addParsed(command, "--policy", arguments.policy, policy, "priority|fastest|safest",
+            "What 'best' means (priority)");
+  addParsed(command, "--max-detour", arguments.max_detour, within(1.0, kInfinity), "F",
+            "priority takes the fastest plan when its own takes F times as long (3; inf: never)");
+  addParsed(command, "--deadline-ms", arguments.deadline, deadline, "N", "Time for the answer (10000)");
 }
 
 void addOutput(CLI::App& command, OutputArguments& arguments) {
-    command
-        .add_option("--json", arguments.json, "Write the plan, or why there is none; - for standard output")
-        ->type_name("FILE|-");
-    command.add_option("--svg", arguments.svg, "Draw map and plan")->type_name("FILE");
+  command.add_option("--json", arguments.json, "Write the plan, or why there is none; - for standard output")
+      ->type_name("FILE|-");
+  command.add_option("--svg", arguments.svg, "Draw map and plan")->type_name("FILE");
 }
 
 void addDomain(CLI::App& command, DomainSettings& domain) {
-    command.add_option("--domain", domain.id, "DDS domain, 0 to 230 (0)")
-        ->type_name("N")
-        ->check(CLI::Range(0U, Domain::kLargestId));
-    command.add_flag("--network", domain.use_network, "Meet other machines too, not only this one");
+  command.add_option("--domain", domain.id, "DDS domain, 0 to 230 (0)")
+      ->type_name("N")
+      ->check(CLI::Range(0U, Domain::kLargestId));
+  command.add_flag("--network", domain.use_network, "Meet other machines too, not only this one");
 }
 
 void addSeed(CLI::App& command, std::uint64_t& seed) {
-    command.add_option("--seed", seed, "Of the roadmap's random numbers (1)")->type_name("N");
+  command.add_option("--seed", seed, "Of the roadmap's random numbers (1)")->type_name("N");
 }
 
 Expected<Request> requestOf(const QueryArguments& arguments, const Robot& robot) {
-    if (!arguments.start) return fail(ErrorCode::kInvalidRequest, "--start is missing; give x,y,yaw");
-    if (!arguments.goal) return fail(ErrorCode::kInvalidRequest, "--goal is missing; give x,y or x,y,yaw");
-    const Expected<ModeId> start_mode = modeOf(arguments.start_mode, "--start-mode", robot);
-    if (!start_mode) return tl::unexpected(start_mode.error());
-    const Expected<ModeId> goal_mode = modeOf(arguments.goal_mode, "--goal-mode", robot);
-    if (!goal_mode) return tl::unexpected(goal_mode.error());
-    return Request{*arguments.start, *start_mode,      arguments.goal->at,  arguments.goal->yaw,
-                   *goal_mode,       arguments.policy, arguments.max_detour};
+  if (!arguments.start) return fail(ErrorCode::kInvalidRequest, "--start is missing; give x,y,yaw");
+  if (!arguments.goal) return fail(ErrorCode::kInvalidRequest, "--goal is missing; give x,y or x,y,yaw");
+  const Expected<ModeId> start_mode = modeOf(arguments.start_mode, "--start-mode", robot);
+  if (!start_mode) return tl::unexpected(start_mode.error());
+  const Expected<ModeId> goal_mode = modeOf(arguments.goal_mode, "--goal-mode", robot);
+  if (!goal_mode) return tl::unexpected(goal_mode.error());
+  return Request{*arguments.start, *start_mode,      arguments.goal->at,  arguments.goal->yaw,
+                 *goal_mode,       arguments.policy, arguments.max_detour};
 }
 
 }  // namespace underway

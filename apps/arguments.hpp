@@ -15,8 +15,8 @@ namespace underway {
 
 /// Where to go: a heading only if it matters.
 struct Goal {
-    Point at;                   ///< in the map frame [m]
-    std::optional<double> yaw;  ///< [rad]
+  Point at;                   ///< in the map frame [m]
+  std::optional<double> yaw;  ///< [rad]
 };
 
 /// A finite number and nothing else. Errors of all three: kInvalidRequest, a sentence without the flag's
@@ -29,25 +29,25 @@ struct Goal {
 
 /// --map and how to read it.
 struct MapArguments {
-    std::string file;
-    MapOptions options;
+  std::string file;
+  MapOptions options;
 };
 
 /// What is asked for, by names: which modes there are is known once the robot has been read.
 struct QueryArguments {
-    std::optional<Pose> start;
-    std::string start_mode;  ///< empty: the robot's first
-    std::optional<Goal> goal;
-    std::string goal_mode;  ///< empty: the robot's first
-    Policy policy = Policy::kPriority;
-    double max_detour = Request{}.max_detour;
-    std::chrono::milliseconds deadline{10'000};
+  std::optional<Pose> start;
+  std::string start_mode;  ///< empty: the robot's first
+  std::optional<Goal> goal;
+  std::string goal_mode;  ///< empty: the robot's first
+  Policy policy = Policy::kPriority;
+  double max_detour = Request{}.max_detour;
+  std::chrono::milliseconds deadline{10'000};
 };
 
 /// Where the answer goes, besides the table on standard output.
 struct OutputArguments {
-    std::string json;  ///< a file, "-" for standard output, or empty
-    std::string svg;   ///< a file or empty
+  std::string json;  ///< a file, "-" for standard output, or empty
+  std::string svg;   ///< a file or empty
 };
 
 /// Add the flags to a subcommand. The arguments are filled when the command line is parsed, and must live

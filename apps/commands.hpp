@@ -9,8 +9,8 @@ namespace underway {
 
 /// A subcommand that was added to the program, and what runs when it is the one chosen.
 struct Command {
-    CLI::App* app = nullptr;  ///< owned by the program's CLI::App
-    std::function<ExitCode()> run;
+  CLI::App* app = nullptr;  ///< owned by the program's CLI::App
+  std::function<ExitCode()> run;
 };
 
 [[nodiscard]] Command addPlanCommand(CLI::App& program);   ///< plans on the spot

@@ -10,10 +10,10 @@ namespace underway {
 
 /// What a picture shows. World and robot are seen from above; the rest is drawn where it is given.
 struct Picture {
-    const World& world;
-    const Robot& robot;
-    const Roadmap* roadmap = nullptr;        ///< as thin lines; thinned out when there are many
-    const PlanDocument* document = nullptr;  ///< a plan, or what blocks it
+  const World& world;
+  const Robot& robot;
+  const Roadmap* roadmap = nullptr;        ///< as thin lines; thinned out when there are many
+  const PlanDocument* document = nullptr;  ///< a plan, or what blocks it
 };
 
 /// A picture as SVG: obstacles by whether they block every mode, only some, or none; bodies swept, way and

@@ -12,9 +12,9 @@ namespace underway {
 
 /// A map and a robot that have been read, to be shared between planner, checker and picture.
 struct Site {
-    std::shared_ptr<const World> world;
-    std::shared_ptr<const Robot> robot;
-    std::vector<Query> queries;  ///< that the map brings along
+  std::shared_ptr<const World> world;
+  std::shared_ptr<const Robot> robot;
+  std::vector<Query> queries;  ///< that the map brings along
 };
 
 /// Errors: kInvalidMap or kInvalidRobot, one sentence; kInvalidRequest when no map was named.

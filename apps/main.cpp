@@ -1,6 +1,7 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "apps/commands.hpp"
@@ -19,36 +20,36 @@ constexpr const char* kExamples =
     "'underway COMMAND --help' tells more about each.";
 
 ExitCode runCommandLine(int argc, char** argv) {
-    CLI::App program("Plans how a humanoid gets from here to there: walking, sidestepping, crawling.",
-                     "underway");
-    program.require_subcommand(1);
-    program.footer(kExamples);
-    const std::vector<Command> commands{underway::addPlanCommand(program), underway::addAskCommand(program),
-                                        underway::addServeCommand(program),
-                                        underway::addQueryCommand(program),
-                                        underway::addCheckCommand(program)};
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // --help
-        underway::complain(error.what());
-        return ExitCode::kInvalidInput;
-    }
-    for (const Command& command : commands)
-        if (command.app->parsed()) return command.run();
-    return ExitCode::kOther;
+  CLI::App program("Plans how a humanoid gets from here to there: walking, sidestepping, crawling.",
+                   "underway");
+  program.require_subcommand(0, 1);  // none at all is told below, in our own words
+  program.footer(kExamples);
+  const std::vector<Command> commands{underway::addPlanCommand(program), underway::addAskCommand(program),
+                                      underway::addServeCommand(program), underway::addQueryCommand(program),
+                                      underway::addCheckCommand(program)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // --help
+    underway::complain(error.what());
+    return ExitCode::kInvalidInput;
+  }
+  for (const Command& command : commands)
+    if (command.app->parsed()) return command.run();
+  underway::complain("a command is missing; give plan, ask, serve, query or check, or --help");
+  return ExitCode::kInvalidInput;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
-    try {
-        return static_cast<int>(runCommandLine(argc, argv));
-    } catch (const std::bad_alloc&) {
-        underway::complain("out of memory; give a smaller map");
-    } catch (const std::exception& error) {
-        underway::complain(std::string("a fault in the program: ") + error.what());
-    }
-    return static_cast<int>(ExitCode::kOther);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
+  try {
+    return static_cast<int>(runCommandLine(argc, argv));
+  } catch (const std::bad_alloc&) {
+    underway::complain("out of memory; give a smaller map");
+  } catch (const std::exception& error) {
+    underway::complain(std::string("a fault in the program: ") + error.what());
+  }
+  return static_cast<int>(ExitCode::kOther);
 }

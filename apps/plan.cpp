@@ -19,84 +19,79 @@ constexpr const char* kExamples =
     "Exit codes: 0 a plan, 3 a valid 'no', 2 invalid input, 1 anything else.";
 
 struct Arguments {
-    MapArguments map;
-    std::string robot;
-    QueryArguments query;
-    std::string query_name;
-    OutputArguments output;
-    GrowthSettings growth;
+  MapArguments map;
+  std::string robot;
+  QueryArguments query;
+  std::string query_name;
+  OutputArguments output;
+  GrowthSettings growth;
 };
 
 /// An answer and what it was made with; empty where it did not come so far.
 struct Answered {
-    PlanDocument document;
-    Site site;
-    std::shared_ptr<const Roadmap> roadmap;
+  PlanDocument document;
+  Site site;
+  std::shared_ptr<const Roadmap> roadmap;
 };
 
 Expected<Plan> planAt(const Site& site, const Request& request, const Arguments& arguments,
                       std::shared_ptr<const Roadmap>& roadmap) {
-    const auto start = Planner::Clock::now();
-    Planner planner(site.world, site.robot, arguments.growth);
-    {
-        // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
-        ProgressBar bar("growing the roadmap");
-        planner.prepare(start + arguments.query.deadline / 2, [&](double share) { bar.show(share); });
-    }
-    Expected<Plan> plan = planner.plan(request, start + arguments.query.deadline);
-    roadmap = planner.roadmap();
-    return plan;
+  const auto start = Planner::Clock::now();
+  Planner planner(site.world, site.robot, arguments.growth);
+  ProgressBar bar("growing the roadmap");
+  Expected<Plan> plan =
+      planner.plan(request, start + arguments.query.deadline, {}, [&](double share) { bar.show(share); });
+  roadmap = planner.roadmap();
+  return plan;
 }
 
 Answered answer(const Arguments& arguments) {
-    Answered answered{documentOf(arguments.query), {}, nullptr};
-    PlanDocument& document = answered.document;
-    const auto refuse = [&](const Error& error) {
-        document.answer = tl::unexpected(error);
-        return answered;
-    };
-    Expected<Site> site = readSite(arguments.map, arguments.robot);
-    if (!site) return refuse(site.error());
-    answered.site = *site;
-    describeSite(*site, arguments.growth.seed, document);
-
-    Expected<QueryArguments> query = arguments.query;
-    if (!arguments.query_name.empty())
-        query = queryNamed(arguments.query_name, site->queries, arguments.query);
-    if (!query) return refuse(query.error());
-    const Expected<Request> request = requestOf(*query, *site->robot);
-    if (!request) return refuse(request.error());
-    setRequest(*request, *site->robot, document);
-
-    document.answer = planAt(*site, *request, arguments, answered.roadmap);
+  Answered answered{documentOf(arguments.query), {}, nullptr};
+  PlanDocument& document = answered.document;
+  const auto refuse = [&](const Error& error) {
+    document.answer = tl::unexpected(error);
     return answered;
+  };
+  Expected<Site> site = readSite(arguments.map, arguments.robot);
+  if (!site) return refuse(site.error());
+  answered.site = *site;
+  describeSite(*site, arguments.growth.seed, document);
+
+  Expected<QueryArguments> query = arguments.query;
+  if (!arguments.query_name.empty()) query = queryNamed(arguments.query_name, site->queries, arguments.query);
+  if (!query) return refuse(query.error());
+  const Expected<Request> request = requestOf(*query, *site->robot);
+  if (!request) return refuse(request.error());
+  setRequest(*request, *site->robot, document);
+
+  document.answer = planAt(*site, *request, arguments, answered.roadmap);
+  return answered;
 }
 
 ExitCode run(const Arguments& arguments) {
-    const Answered answered = answer(arguments);
-    const Site& site = answered.site;
-    if (!site.world) return deliver(answered.document, arguments.output, {});
-    return deliver(answered.document, arguments.output, [&] {
-        return drawSvg({*site.world, *site.robot, answered.roadmap.get(), &answered.document});
-    });
+  const Answered answered = answer(arguments);
+  const Site& site = answered.site;
+  if (!site.world) return deliver(answered.document, arguments.output, {});
+  return deliver(answered.document, arguments.output, [&] {
+    return drawSvg({*site.world, *site.robot, answered.roadmap.get(), &answered.document});
+  });
 }
 
 }  // namespace
 
 Command addPlanCommand(CLI::App& program) {
-    CLI::App& command = *program.add_subcommand("plan", "Plan a way on the spot");
-    const auto arguments = std::make_shared<Arguments>();
-    addMap(command, arguments->map)->required();
-    addRobot(command, arguments->robot);
-    addQuery(command, arguments->query);
-    command
-        .add_option("--query", arguments->query_name, "Take start and goal from this query of the scenario")
-        ->type_name("NAME")
-        ->excludes("--start", "--start-mode", "--goal", "--goal-mode");
-    addOutput(command, arguments->output);
-    addSeed(command, arguments->growth.seed);
-    command.footer(kExamples);
-    return {&command, [arguments] { return run(*arguments); }};
+  CLI::App& command = *program.add_subcommand("plan", "Plan a way on the spot");
+  const auto arguments = std::make_shared<Arguments>();
+  addMap(command, arguments->map)->required();
+  addRobot(command, arguments->robot);
+  addQuery(command, arguments->query);
+  command.add_option("--query", arguments->query_name, "Take start and goal from this query of the scenario")
+      ->type_name("NAME")
+      ->excludes("--start", "--start-mode", "--goal", "--goal-mode");
+  addOutput(command, arguments->output);
+  addSeed(command, arguments->growth.seed);
+  command.footer(kExamples);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace underway

@@ -17,19 +17,19 @@ void complain(std::string_view sentence);
 /// A bar on standard error while something long goes on; silent when that is no terminal. Gone when
 /// destroyed.
 class ProgressBar {
-  public:
-    explicit ProgressBar(std::string what);
-    ~ProgressBar();
-    ProgressBar(const ProgressBar&) = delete;
-    ProgressBar& operator=(const ProgressBar&) = delete;
+ public:
+  explicit ProgressBar(std::string what);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Share that is done, 0..1. Called by one thread at a time.
-    void show(double share);
+  /// Share that is done, 0..1. Called by one thread at a time.
+  void show(double share);
 
-  private:
-    std::string what_;
-    bool is_terminal_;
-    int shown_percent_ = -1;
+ private:
+  std::string what_;
+  bool is_terminal_;
+  int shown_percent_ = -1;
 };
 
 }  // namespace underway

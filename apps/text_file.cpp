@@ -15,32 +15,31 @@ std::string lastReason() { return std::generic_category().message(errno); }
 }  // namespace
 
 Expected<std::string> readText(const fs::path& file) {
-    constexpr std::uintmax_t kLargest_bytes = 64U << 20U;
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);  // an error for folders and devices too
-    if (error)
-        return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + error.message());
-    if (size > kLargest_bytes)
-        return fail(ErrorCode::kInvalidRequest, file.string() + " is larger than 64 MB; give a plan file");
-    std::string text(size, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-        return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + lastReason());
-    return text;
+  constexpr std::uintmax_t kLargest_bytes = 64U << 20U;
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);  // an error for folders and devices too
+  if (error)
+    return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + error.message());
+  if (size > kLargest_bytes)
+    return fail(ErrorCode::kInvalidRequest, file.string() + " is larger than 64 MB; give a plan file");
+  std::string text(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+    return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + lastReason());
+  return text;
 }
 
 Expected<void> writeText(const fs::path& file, std::string_view text) {
-    std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (stream) return {};
-    return fail(ErrorCode::kInternal, "cannot write \"" + file.string() + "\": " + lastReason());
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (stream) return {};
+  return fail(ErrorCode::kInternal, "cannot write \"" + file.string() + "\": " + lastReason());
 }
 
 Expected<void> writeOutput(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
-        return {};
-    return fail(ErrorCode::kInternal, "cannot write to standard output: " + lastReason());
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return {};
+  return fail(ErrorCode::kInternal, "cannot write to standard output: " + lastReason());
 }
 
 }  // namespace underway

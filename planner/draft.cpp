@@ -13,7 +13,7 @@ Draft::Draft(const Robot& robot, std::shared_ptr<const Roadmap> base)
       first_own_(base_ ? static_cast<PlaceId>(base_->places.size()) : 0) {}
 
 Draft::PlaceId Draft::addPlace(ModeId mode, Point at, double keep_m) {
-  own_.push_back({Roadmap::Place{at, mode, keep_m, 0, 0}, {}});
+  own_.push_back({Roadmap::Place{at, mode, keep_m, 0, 0}, {}, placeCount()});
   return placeCount() - 1;
 }
 
@@ -28,20 +28,39 @@ void Draft::addHeading(PlaceId place, double yaw) {
 
 void Draft::addTranslation(PlaceId a, PlaceId b, double yaw, Sense sense) {
   const Mode& mode = robot_.modes[modeOf(a)];
-  if (mode.canMove(sense)) links_.push_back({MotionKind::kTranslate, a, b, yaw, yaw, sense});
+  if (mode.canMove(sense)) addLink({MotionKind::kTranslate, a, b, yaw, yaw, sense});
   if (mode.canMove(opposite(sense)))
-    links_.push_back({MotionKind::kTranslate, b, a, yaw, yaw, opposite(sense)});
+    addLink({MotionKind::kTranslate, b, a, yaw, yaw, opposite(sense)});
   addHeading(a, yaw);
   addHeading(b, yaw);
 }
 
 void Draft::addSwitch(PlaceId from, double from_yaw, PlaceId to, double to_yaw) {
-  links_.push_back({MotionKind::kSwitch, from, to, from_yaw, to_yaw, Sense::kForward});
+  addLink({MotionKind::kSwitch, from, to, from_yaw, to_yaw, Sense::kForward});
   addHeading(from, from_yaw);
   addHeading(to, to_yaw);
 }
 
-void Draft::addTwins(PlaceId first, PlaceId second) { twins_.emplace_back(first, second); }
+void Draft::addTwins(PlaceId first, PlaceId second) {
+  twins_.emplace_back(first, second);
+  join(first, second);
+}
+
+void Draft::addLink(const Link& link) {
+  links_.push_back(link);
+  join(link.from, link.to);
+}
+
+void Draft::join(PlaceId a, PlaceId b) {
+  if (a < first_own_ || b < first_own_) return;  // the base's places are joined as they are
+  own_[rootOf(a) - first_own_].parent = rootOf(b);
+}
+
+Draft::PlaceId Draft::rootOf(PlaceId place) {
+  const auto parent = [&](PlaceId of) -> PlaceId& { return own_[of - first_own_].parent; };
+  while (parent(place) != place) place = parent(place) = parent(parent(place));  // halves the way for the next time
+  return place;
+}
 
 std::optional<double> Draft::headingNear(PlaceId place, double yaw, double tolerance_rad) const {
   const auto is_near = [&](double heading) {

@@ -38,6 +38,8 @@ class Draft {
   [[nodiscard]] Point positionOf(PlaceId place) const { return at(place).at; }
   [[nodiscard]] double keepOf(PlaceId place) const { return at(place).keep_m; }
   [[nodiscard]] PlaceId placeCount() const { return first_own_ + static_cast<PlaceId>(own_.size()); }
+  /// Whether connections lead from one place to the other, taken both ways. Of the draft's own places.
+  [[nodiscard]] bool areJoined(PlaceId a, PlaceId b) { return rootOf(a) == rootOf(b); }
   /// A heading the place already has that differs by no more than a tolerance [rad], to be used in place of a
   /// new one.
   [[nodiscard]] std::optional<double> headingNear(PlaceId place, double yaw, double tolerance_rad) const;
@@ -60,6 +62,7 @@ class Draft {
   struct Own {
     Roadmap::Place place;
     std::vector<double> headings;
+    PlaceId parent;  // in the forest of joined places (union-find); its own number at a root
   };
 
   friend class Freezer;
@@ -67,6 +70,9 @@ class Draft {
     return place < first_own_ ? base_->places[place] : own_[place - first_own_].place;
   }
   std::vector<double>& headingsOf(PlaceId place);
+  void addLink(const Link& link);
+  void join(PlaceId a, PlaceId b);
+  [[nodiscard]] PlaceId rootOf(PlaceId place);
 
   const Robot& robot_;
   std::shared_ptr<const Roadmap> base_;

@@ -31,18 +31,19 @@ struct Planner::State {
     return true;
   }
 
-  /// Grows until the floor is covered; a later call finds that done and returns at once.
-  void cover(Interrupt& interrupt, const Progress& progress) {
+  /// Grows until the floor is covered or `growing_time` is due, and publishes that; a later call finds a roadmap and
+  /// returns at once.
+  void cover(Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
     const std::lock_guard lock(growing);
     if (current()) return;
     const auto started = Clock::now();
     const std::uint32_t wanted = growth.batchesToCover();
-    while (growth.batches() < wanted && !interrupt.isDue()) {
+    do {
       growth.addBatch();
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
-    }
-    publish(interrupt);
+    } while (growth.batches() < wanted && !growing_time.isDue());
     build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
+    publish(interrupt);
   }
 
   /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
@@ -75,16 +76,19 @@ std::shared_ptr<const Roadmap> Planner::roadmap() const { return state_->current
 const Checker& Planner::checker() const { return state_->checker; }
 
 void Planner::prepare(Clock::time_point deadline, const Progress& progress, const std::stop_token& stop) {
-  Interrupt interrupt(deadline, stop);
-  state_->cover(interrupt, progress);
+  Interrupt growing_time(deadline, stop);
+  Interrupt interrupt(Clock::time_point::max(), stop);
+  state_->cover(growing_time, interrupt, progress);
 }
 
 Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
-                             const std::stop_token& stop) {
+                             const std::stop_token& stop, const Progress& progress) {
   if (const auto refused = refusal(state_->checker, request)) return tl::unexpected(*refused);
   const auto started = Clock::now();
   Interrupt interrupt(deadline, stop);
-  state_->cover(interrupt, {});
+  // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
+  Interrupt growing_time(started + (deadline - started) / 2, stop);
+  if (!interrupt.isDue()) state_->cover(growing_time, interrupt, progress);
   while (const auto roadmap = interrupt.isDue() ? nullptr : state_->current()) {
     auto plan = answer(state_->checker, roadmap, request, interrupt);
     if (!plan) return tl::unexpected(plan.error());

@@ -27,15 +27,14 @@ class Planner {
           GrowthSettings settings = {});
   ~Planner();
 
-  /// Grows the roadmap until it covers the floor (GrowthSettings). What has grown by the deadline is kept,
-  /// but only published when a later call has completed it.
+  /// Grows the roadmap until it covers the floor (GrowthSettings) or the deadline passes, and publishes what has grown.
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
-  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout,
-  /// kCancelled, kInvalidRequest. If the roadmap does not hold a plan, it grows batch by batch until it does
-  /// or the deadline passes.
+  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout, kCancelled,
+  /// kInvalidRequest. If there is no roadmap yet it grows one first, for half of the time at most (and tells `progress`).
+  /// If the roadmap does not hold a plan, it grows batch by batch until it does or the deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
-                                    const std::stop_token& stop = {});
+                                    const std::stop_token& stop = {}, const Progress& progress = {});
 
   /// The roadmap as it is now; empty before `prepare` and the first plan.
   [[nodiscard]] std::shared_ptr<const Roadmap> roadmap() const;

@@ -100,7 +100,8 @@ void Sites::connectAround(PlaceId place, std::span<const PlaceId> neighbours) {
     const bool is_hidden = std::any_of(taken.begin(), taken.end(), [&](double other) {
       return std::abs(normalizedAngle(other - direction)) < kCone_rad;
     });
-    if (!is_hidden && connect(place, neighbour)) taken.push_back(direction);
+    if (is_hidden && draft_.areJoined(place, neighbour)) continue;
+    if (connect(place, neighbour)) taken.push_back(direction);
   }
 }
 

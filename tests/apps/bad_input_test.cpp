@@ -17,52 +17,52 @@ constexpr const char* kScenario =
 
 /// The text with one part of it replaced. Throws if the part is not there: no case shall test nothing.
 std::string with(std::string text, const std::string& part, const std::string& other) {
-    return text.replace(text.find(part), part.size(), other);  // throws for npos
+  return text.replace(text.find(part), part.size(), other);  // throws for npos
 }
 
 /// A map_server YAML for "image.pgm" with these thresholds.
 std::string mapServerYaml(const std::string& occupied, const std::string& free) {
-    return "image: image.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: " +
-           occupied + "\nfree_thresh: " + free + "\n";
+  return "image: image.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: " +
+         occupied + "\nfree_thresh: " + free + "\n";
 }
 
 std::string whiteImage() { return "P5\n20 20\n255\n" + std::string(400, '\xFE'); }
 
 std::vector<std::string> planWords(const std::string& map, std::vector<std::string> more = {}) {
-    std::vector<std::string> words{"plan",  "--map",         map,   "--start", "0.6,2,0", "--goal",
-                                   "5.4,2", "--deadline-ms", "2000"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  std::vector<std::string> words{"plan",  "--map",         map,   "--start", "0.6,2,0", "--goal",
+                                 "5.4,2", "--deadline-ms", "2000"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 /// One line on standard error that begins with "underway: " and contains what matters.
 void expectOneSentence(const Outcome& run, int exit_code, const std::string& about) {
-    EXPECT_EQ(run.exit_code, exit_code) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U) << run.errors;
-    EXPECT_NE(run.errors.find(about), std::string::npos) << run.errors << "\ndoes not say: " << about;
+  EXPECT_EQ(run.exit_code, exit_code) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U) << run.errors;
+  EXPECT_NE(run.errors.find(about), std::string::npos) << run.errors << "\ndoes not say: " << about;
 }
 
 struct FileCase {
-    std::string name;
-    std::string text;
-    std::string about;  ///< what the sentence must mention
+  std::string name;
+  std::string text;
+  std::string about;  ///< what the sentence must mention
 };
 
 /// The case's name, for the test's.
 struct CaseName {
-    template <class Case>
-    std::string operator()(const testing::TestParamInfo<Case>& tested) const {
-        return tested.param.name;
-    }
+  template <class Case>
+  std::string operator()(const testing::TestParamInfo<Case>& tested) const {
+    return tested.param.name;
+  }
 };
 
 class BadScenario : public testing::TestWithParam<FileCase> {};
 
 TEST_P(BadScenario, IsRefusedInOneSentence) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", GetParam().text);
-    expectOneSentence(runProgram(planWords(map)), 2, GetParam().about);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", GetParam().text);
+  expectOneSentence(runProgram(planWords(map)), 2, GetParam().about);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -71,9 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
         FileCase{"Empty", "", "map.yaml"}, FileCase{"AList", "- 1\n- 2\n", "map.yaml"},
         FileCase{"NoYaml", "{{{{: [", "map.yaml"}, FileCase{"Binary", std::string(300, '\0'), "map.yaml"},
         FileCase{"UnknownKey", std::string(kScenario) + "colour: red\n", "colour"},
-        FileCase{"ZeroSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, 0.0, 1.0]"), "pillar"},
+        FileCase{"ZeroSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, 0.0, 1.0]"), "map.yaml:5: obstacles[0].size_m"},
         FileCase{"NegativeSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, -0.2, 1.0]"),
-                 "pillar"},
+                 "map.yaml:5: obstacles[0].size_m"},
         FileCase{"NanInAnObstacle", with(kScenario, "center_m: [3.0", "center_m: [.nan"), "map.yaml"},
         FileCase{
             "DuplicateId",
@@ -89,10 +89,10 @@ INSTANTIATE_TEST_SUITE_P(
 class BadImage : public testing::TestWithParam<FileCase> {};
 
 TEST_P(BadImage, IsRefusedInOneSentence) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", mapServerYaml("0.65", "0.196"));
-    folder.write("image.pgm", GetParam().text);
-    expectOneSentence(runProgram(planWords(map)), 2, GetParam().about);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", mapServerYaml("0.65", "0.196"));
+  folder.write("image.pgm", GetParam().text);
+  expectOneSentence(runProgram(planWords(map)), 2, GetParam().about);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -109,10 +109,10 @@ INSTANTIATE_TEST_SUITE_P(
 class BadRobot : public testing::TestWithParam<FileCase> {};
 
 TEST_P(BadRobot, IsRefusedInOneSentence) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", kScenario);
-    const std::string robot = folder.write("robot.yaml", GetParam().text);
-    expectOneSentence(runProgram(planWords(map, {"--robot", robot})), 2, GetParam().about);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const std::string robot = folder.write("robot.yaml", GetParam().text);
+  expectOneSentence(runProgram(planWords(map, {"--robot", robot})), 2, GetParam().about);
 }
 
 constexpr const char* kRobot =
@@ -139,25 +139,25 @@ INSTANTIATE_TEST_SUITE_P(
     CaseName());
 
 struct FlagCase {
-    std::string name;
-    std::vector<std::string> words;
-    std::string about;
+  std::string name;
+  std::vector<std::string> words;
+  std::string about;
 };
 
 class BadFlag : public testing::TestWithParam<FlagCase> {};
 
 TEST_P(BadFlag, IsRefusedInOneSentence) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", kScenario);
-    std::vector<std::string> words = GetParam().words;
-    std::replace(words.begin(), words.end(), std::string("MAP"), map);
-    expectOneSentence(runProgram(words), 2, GetParam().about);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  std::vector<std::string> words = GetParam().words;
+  std::replace(words.begin(), words.end(), std::string("MAP"), map);
+  expectOneSentence(runProgram(words), 2, GetParam().about);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadFlag,
     testing::Values(
-        FlagCase{"NoCommand", {}, "subcommand"}, FlagCase{"UnknownCommand", {"fly"}, "fly"},
+        FlagCase{"NoCommand", {}, "command"}, FlagCase{"UnknownCommand", {"fly"}, "fly"},
         FlagCase{"UnknownFlag", planWords("MAP", {"--fly"}), "--fly"},
         FlagCase{"NoMap", {"plan", "--start", "0,0,0", "--goal", "1,1"}, "--map"},
         FlagCase{"NoStart", {"plan", "--map", "MAP", "--goal", "1,1"}, "--start"},
@@ -184,50 +184,48 @@ INSTANTIATE_TEST_SUITE_P(
     CaseName());
 
 TEST(BadInput, SwappedThresholdsAreRefused) {
-    const Folder folder;
-    folder.write("image.pgm", whiteImage());
-    const std::string map = folder.write("map.yaml", mapServerYaml("0.196", "0.65"));
-    expectOneSentence(runProgram(planWords(map)), 2, "thresh");
+  const Folder folder;
+  folder.write("image.pgm", whiteImage());
+  const std::string map = folder.write("map.yaml", mapServerYaml("0.196", "0.65"));
+  expectOneSentence(runProgram(planWords(map)), 2, "thresh");
 }
 
 TEST(BadInput, ABareImageNeedsItsNumbers) {
-    const Folder folder;
-    const std::string image = folder.write("image.pgm", whiteImage());
-    expectOneSentence(runProgram(planWords(image)), 2, "--resolution-m");
+  const Folder folder;
+  const std::string image = folder.write("image.pgm", whiteImage());
+  expectOneSentence(runProgram(planWords(image)), 2, "--resolution-m");
 }
 
 TEST(BadInput, AStartOutsideIsAValidNo) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", kScenario);
-    const Outcome run =
-        runProgram({"plan", "--map", map, "--start", "-3,2,0", "--goal", "5,2", "--json", "-"});
-    expectOneSentence(run, 3, "start");
-    EXPECT_NE(run.output.find("\"status\": \"start_out_of_bounds\""), std::string::npos) << run.output;
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const Outcome run = runProgram({"plan", "--map", map, "--start", "-3,2,0", "--goal", "5,2", "--json", "-"});
+  expectOneSentence(run, 3, "start");
+  EXPECT_NE(run.output.find("\"status\": \"start_out_of_bounds\""), std::string::npos) << run.output;
 }
 
 TEST(BadInput, ABadMapIsToldInTheJsonToo) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", "- a list\n");
-    const std::string json = folder.path("plan.json");
-    expectOneSentence(runProgram(planWords(map, {"--json", json})), 2, "map.yaml");
-    EXPECT_NE(readAll(json).find("\"status\": \"invalid_map\""), std::string::npos);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", "- a list\n");
+  const std::string json = folder.path("plan.json");
+  expectOneSentence(runProgram(planWords(map, {"--json", json})), 2, "map.yaml");
+  EXPECT_NE(readAll(json).find("\"status\": \"invalid_map\""), std::string::npos);
 }
 
 TEST(BadInput, ABadRobotIsToldInTheJsonToo) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", kScenario);
-    const std::string robot = folder.write("robot.yaml", "- a list\n");
-    const Outcome run = runProgram(planWords(map, {"--robot", robot, "--json", "-"}));
-    expectOneSentence(run, 2, "robot.yaml");
-    EXPECT_NE(run.output.find("\"status\": \"invalid_robot\""), std::string::npos);
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const std::string robot = folder.write("robot.yaml", "- a list\n");
+  const Outcome run = runProgram(planWords(map, {"--robot", robot, "--json", "-"}));
+  expectOneSentence(run, 2, "robot.yaml");
+  EXPECT_NE(run.output.find("\"status\": \"invalid_robot\""), std::string::npos);
 }
 
 TEST(BadInput, AnOutputThatCannotBeWrittenIsSaid) {
-    const Folder folder;
-    const std::string map = folder.write("map.yaml", kScenario);
-    const Outcome run =
-        runProgram({"query", "--map", map, "--pose", "1,1,0", "--json", "/nowhere/query.json"});
-    expectOneSentence(run, 1, "/nowhere/query.json");
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const Outcome run = runProgram({"query", "--map", map, "--pose", "1,1,0", "--json", "/nowhere/query.json"});
+  expectOneSentence(run, 1, "/nowhere/query.json");
 }
 
 }  // namespace

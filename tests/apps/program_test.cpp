@@ -13,116 +13,116 @@ using Json = nlohmann::json;
 const std::string kMap = UNDERWAY_SOURCE_DIR "/maps/scenario3.yaml";
 
 std::vector<std::string> planWords(const std::string& query, std::vector<std::string> more = {}) {
-    std::vector<std::string> words{"plan", "--map", kMap, "--query", query};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  std::vector<std::string> words{"plan", "--map", kMap, "--query", query};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 TEST(Program, HelpIsNoError) {
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
-                                                  {"plan", "--help"},
-                                                  {"ask", "--help"},
-                                                  {"serve", "--help"},
-                                                  {"query", "--help"},
-                                                  {"check", "--help"}}) {
-        const Outcome run = runProgram(words);
-        EXPECT_EQ(run.exit_code, 0);
-        EXPECT_EQ(run.errors, "");
-        EXPECT_NE(run.output.find("Examples:\n  underway "), std::string::npos) << run.output;
-    }
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                {"plan", "--help"},
+                                                {"ask", "--help"},
+                                                {"serve", "--help"},
+                                                {"query", "--help"},
+                                                {"check", "--help"}}) {
+    const Outcome run = runProgram(words);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.errors, "");
+    EXPECT_NE(run.output.find("Examples:\n  underway "), std::string::npos) << run.output;
+  }
 }
 
 TEST(Program, APlanIsATableOnStandardOutput) {
-    const Outcome run = runProgram(planWords("under_the_table"));
-    EXPECT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_EQ(run.errors, "");
-    EXPECT_NE(run.output.find("switch to crawl"), std::string::npos) << run.output;
-    EXPECT_NE(run.output.find("Total "), std::string::npos) << run.output;
-    EXPECT_EQ(run.output.find('\x1b'), std::string::npos) << "colours are for terminals";
+  const Outcome run = runProgram(planWords("under_the_table"));
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  EXPECT_NE(run.output.find("switch to crawl"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("Total "), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find('\x1b'), std::string::npos) << "colours are for terminals";
 }
 
 TEST(Program, StandardOutputHoldsOnlyTheJsonThatWasAskedFor) {
-    const Outcome run = runProgram(planWords("under_the_table", {"--json", "-"}));
-    EXPECT_EQ(run.exit_code, 0) << run.errors;
-    const Json json = Json::parse(run.output);
-    EXPECT_EQ(json["status"], "ok");
-    EXPECT_EQ(json["robot"], "nao");
-    EXPECT_EQ(json["map"], "scenario3");
+  const Outcome run = runProgram(planWords("under_the_table", {"--json", "-"}));
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const Json json = Json::parse(run.output);
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["robot"], "nao");
+  EXPECT_EQ(json["map"], "scenario3");
 }
 
 TEST(Program, AValidNoEndsWithThreeAndStillWritesTheJson) {
-    const Outcome run = runProgram(planWords("outside", {"--json", "-"}));
-    EXPECT_EQ(run.exit_code, 3);
-    EXPECT_EQ(Json::parse(run.output)["status"], "goal_out_of_bounds");
-    EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U);
+  const Outcome run = runProgram(planWords("outside", {"--json", "-"}));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(Json::parse(run.output)["status"], "goal_out_of_bounds");
+  EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U);
 }
 
 TEST(Program, ItsOwnPlanIsSound) {
-    const Folder folder;
-    const std::string plan = folder.path("plan.json");
-    const std::string picture = folder.path("plan.svg");
-    ASSERT_EQ(runProgram(planWords("under_the_table", {"--json", plan, "--svg", picture})).exit_code, 0);
-    EXPECT_EQ(readAll(picture).rfind("<svg", 0), 0U);
-    const Outcome run = runProgram({"check", plan, "--map", kMap});
-    EXPECT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_EQ(run.output.rfind("Sound: ", 0), 0U) << run.output;
+  const Folder folder;
+  const std::string plan = folder.path("plan.json");
+  const std::string picture = folder.path("plan.svg");
+  ASSERT_EQ(runProgram(planWords("under_the_table", {"--json", plan, "--svg", picture})).exit_code, 0);
+  EXPECT_EQ(readAll(picture).rfind("<svg", 0), 0U);
+  const Outcome run = runProgram({"check", plan, "--map", kMap});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(run.output.rfind("Sound: ", 0), 0U) << run.output;
 }
 
 TEST(Program, ASpoiltPlanIsFlawed) {
-    const Folder folder;
-    const std::string plan = folder.path("plan.json");
-    ASSERT_EQ(runProgram(planWords("under_the_table", {"--json", plan})).exit_code, 0);
-    Json json = Json::parse(readAll(plan));
-    json["segments"][0]["duration_s"] = 0.5;
-    json["world_hash"] = "0000000000000000";
-    const Outcome run = runProgram({"check", folder.write("spoilt.json", json.dump()), "--map", kMap});
-    EXPECT_EQ(run.exit_code, 3) << run.errors;
-    EXPECT_EQ(run.output.rfind("The plan is stale: it was made for another version of the map.\n", 0), 0U)
-        << run.output;
-    EXPECT_NE(run.output.find("segment 1: "), std::string::npos) << run.output;
+  const Folder folder;
+  const std::string plan = folder.path("plan.json");
+  ASSERT_EQ(runProgram(planWords("under_the_table", {"--json", plan})).exit_code, 0);
+  Json json = Json::parse(readAll(plan));
+  json["segments"][0]["duration_s"] = 0.5;
+  json["world_hash"] = "0000000000000000";
+  const Outcome run = runProgram({"check", folder.write("spoilt.json", json.dump()), "--map", kMap});
+  EXPECT_EQ(run.exit_code, 3) << run.errors;
+  EXPECT_EQ(run.output.rfind("The plan is stale: it was made for another version of the map.\n", 0), 0U)
+      << run.output;
+  EXPECT_NE(run.output.find("segment 1: "), std::string::npos) << run.output;
 }
 
 TEST(Program, AFailureIsNoPlanToCheck) {
-    const Folder folder;
-    const std::string file = folder.path("failure.json");
-    ASSERT_EQ(runProgram(planWords("outside", {"--json", file})).exit_code, 3);
-    const Outcome run = runProgram({"check", file, "--map", kMap});
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.errors.find("goal_out_of_bounds"), std::string::npos) << run.errors;
+  const Folder folder;
+  const std::string file = folder.path("failure.json");
+  ASSERT_EQ(runProgram(planWords("outside", {"--json", file})).exit_code, 3);
+  const Outcome run = runProgram({"check", file, "--map", kMap});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.errors.find("goal_out_of_bounds"), std::string::npos) << run.errors;
 }
 
 TEST(Program, TheSameSeedGivesTheSamePlan) {
-    const auto segmentsOf = [](const Outcome& run) { return Json::parse(run.output)["segments"]; };
-    const std::vector<std::string> words = planWords("under_the_table", {"--json", "-", "--seed", "7"});
-    EXPECT_EQ(segmentsOf(runProgram(words)), segmentsOf(runProgram(words)));
+  const auto segmentsOf = [](const Outcome& run) { return Json::parse(run.output)["segments"]; };
+  const std::vector<std::string> words = planWords("under_the_table", {"--json", "-", "--seed", "7"});
+  EXPECT_EQ(segmentsOf(runProgram(words)), segmentsOf(runProgram(words)));
 }
 
 TEST(Program, AQueryTellsTheStateOfEveryMode) {
-    // Under the table: only the crawl fits.
-    const Outcome run = runProgram({"query", "--map", kMap, "--pose", "4,2,0", "--json", "-"});
-    EXPECT_EQ(run.exit_code, 0) << run.errors;
-    const Json modes = Json::parse(run.output)["modes"];
-    ASSERT_EQ(modes.size(), 3U);
-    EXPECT_EQ(modes[0]["state"], "touching");
-    EXPECT_EQ(modes[0]["hit"], Json::array({"table_top"}));
-    EXPECT_EQ(modes[2]["state"], "free");
-    EXPECT_NEAR(modes[2]["headroom_m"].get<double>(), 0.09, 1e-9);
+  // Under the table: only the crawl fits.
+  const Outcome run = runProgram({"query", "--map", kMap, "--pose", "4,2,0", "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const Json modes = Json::parse(run.output)["modes"];
+  ASSERT_EQ(modes.size(), 3U);
+  EXPECT_EQ(modes[0]["state"], "touching");
+  EXPECT_EQ(modes[0]["hit"], Json::array({"table_top"}));
+  EXPECT_EQ(modes[2]["state"], "free");
+  EXPECT_NEAR(modes[2]["headroom_m"].get<double>(), 0.09, 1e-9);
 }
 
 TEST(Program, AQueryTellsTheMarginFromContact) {
-    // The body's front is at x + 0.13 and the wall at 5.95: 0.01 m, less than the margin of 0.02 m.
-    const Outcome run = runProgram({"query", "--map", kMap, "--pose", "5.81,2,0", "--json", "-"});
-    EXPECT_EQ(Json::parse(run.output)["modes"][0]["state"], "inside_margin") << run.output;
-    const Outcome outside = runProgram({"query", "--map", kMap, "--pose", "7,2,0"});
-    EXPECT_NE(outside.output.find("out_of_bounds"), std::string::npos) << outside.output;
+  // The body's front is at x + 0.13 and the wall at 5.95: 0.01 m, less than the margin of 0.02 m.
+  const Outcome run = runProgram({"query", "--map", kMap, "--pose", "5.81,2,0", "--json", "-"});
+  EXPECT_EQ(Json::parse(run.output)["modes"][0]["state"], "inside_margin") << run.output;
+  const Outcome outside = runProgram({"query", "--map", kMap, "--pose", "7,2,0"});
+  EXPECT_NE(outside.output.find("out_of_bounds"), std::string::npos) << outside.output;
 }
 
 TEST(Program, WithoutAServerAskEndsWithFour) {
-    const Outcome run =
-        runProgram({"ask", "--start", "0.6,2,0", "--goal", "5.4,2", "--domain", "97", "--json", "-"});
-    EXPECT_EQ(run.exit_code, 4) << run.errors;
-    EXPECT_EQ(Json::parse(run.output)["status"], "no_server");
-    EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U) << run.errors;
+  const Outcome run =
+      runProgram({"ask", "--start", "0.6,2,0", "--goal", "5.4,2", "--domain", "97", "--json", "-"});
+  EXPECT_EQ(run.exit_code, 4) << run.errors;
+  EXPECT_EQ(Json::parse(run.output)["status"], "no_server");
+  EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U) << run.errors;
 }
 
 }  // namespace
