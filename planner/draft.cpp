@@ -29,8 +29,7 @@ void Draft::addHeading(PlaceId place, double yaw) {
 void Draft::addTranslation(PlaceId a, PlaceId b, double yaw, Sense sense) {
   const Mode& mode = robot_.modes[modeOf(a)];
   if (mode.canMove(sense)) addLink({MotionKind::kTranslate, a, b, yaw, yaw, sense});
-  if (mode.canMove(opposite(sense)))
-    addLink({MotionKind::kTranslate, b, a, yaw, yaw, opposite(sense)});
+  if (mode.canMove(opposite(sense))) addLink({MotionKind::kTranslate, b, a, yaw, yaw, opposite(sense)});
   addHeading(a, yaw);
   addHeading(b, yaw);
 }
@@ -58,7 +57,8 @@ void Draft::join(PlaceId a, PlaceId b) {
 
 Draft::PlaceId Draft::rootOf(PlaceId place) {
   const auto parent = [&](PlaceId of) -> PlaceId& { return own_[of - first_own_].parent; };
-  while (parent(place) != place) place = parent(place) = parent(parent(place));  // halves the way for the next time
+  while (parent(place) != place)
+    place = parent(place) = parent(parent(place));  // halves the way for the next time
   return place;
 }
 

@@ -31,8 +31,8 @@ struct Planner::State {
     return true;
   }
 
-  /// Grows until the floor is covered or `growing_time` is due, and publishes that; a later call finds a roadmap and
-  /// returns at once.
+  /// Grows until the floor is covered or `growing_time` is due, and publishes that; a later call finds a
+  /// roadmap and returns at once.
   void cover(Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
     const std::lock_guard lock(growing);
     if (current()) return;
@@ -81,8 +81,8 @@ void Planner::prepare(Clock::time_point deadline, const Progress& progress, cons
   state_->cover(growing_time, interrupt, progress);
 }
 
-Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
-                             const std::stop_token& stop, const Progress& progress) {
+Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
+                             const Progress& progress) {
   if (const auto refused = refusal(state_->checker, request)) return tl::unexpected(*refused);
   const auto started = Clock::now();
   Interrupt interrupt(deadline, stop);

@@ -27,12 +27,14 @@ class Planner {
           GrowthSettings settings = {});
   ~Planner();
 
-  /// Grows the roadmap until it covers the floor (GrowthSettings) or the deadline passes, and publishes what has grown.
+  /// Grows the roadmap until it covers the floor (GrowthSettings) or the deadline passes, and publishes what
+  /// has grown.
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
-  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout, kCancelled,
-  /// kInvalidRequest. If there is no roadmap yet it grows one first, for half of the time at most (and tells `progress`).
-  /// If the roadmap does not hold a plan, it grows batch by batch until it does or the deadline passes.
+  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout,
+  /// kCancelled, kInvalidRequest. If there is no roadmap yet it grows one first, for half of the time at most
+  /// (and tells `progress`). If the roadmap does not hold a plan, it grows batch by batch until it does or
+  /// the deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "planner/draft.hpp"
+#include "planner/rails.hpp"
 #include "planner/search.hpp"
 #include "planner/sites.hpp"
 
@@ -36,7 +37,8 @@ class Shortcuts {
         keeping_(keeping),
         shift_m_(shift_m),
         draft_(robot_),
-        sites_(checker, draft_, Draft::Check::kWhenUsed) {
+        sites_(checker, draft_, Draft::Check::kWhenUsed),
+        rails_(checker, draft_, sites_) {
     for (const Motion& motion : route)
       if (motion.kind == MotionKind::kTranslate) {
         lowest_mode_ = std::max(lowest_mode_, motion.mode);
@@ -89,6 +91,7 @@ class Shortcuts {
     if (can_turn && shift_m_ == 0.0) addPointsAlong(motion);
     const PlaceId next = addCorner(motion.mode, motion.to.position(), keep_m);
     if (can_turn && shift_m_ > 0.0) addPointsRound(motion.mode, motion.to.position());
+    if (!can_turn && shift_m_ > 0.0) addLinesBeside(motion);
     draft_.addTranslation(here_, next, motion.from.yaw, motion.sense);
     here_ = next;
   }
@@ -141,7 +144,21 @@ class Shortcuts {
     }
   }
 
+  /// A mode that cannot turn has its whole line moved to either side.
+  void addLinesBeside(const Motion& motion) {
+    const bool along_x = motion.sense == Sense::kForward || motion.sense == Sense::kBackward;
+    for (const double aside : {-3.0 * shift_m_, -shift_m_, shift_m_, 3.0 * shift_m_}) {
+      const Pose moved = compose(motion.from, along_x ? Pose{0.0, aside, 0.0} : Pose{aside, 0.0, 0.0});
+      if (!checker_.isFree(stay(motion.mode, moved))) continue;
+      const auto waiting = rails_.addThrough(motion.mode, motion.sense, moved);
+      beside_.insert(beside_.end(), waiting.begin(), waiting.end());
+    }
+  }
+
   void connect() {
+    for (const PlaceId place : beside_)
+      for (const Stop& stop : stops_)
+        if (stop.is_corner) connect({{place}, 0, 0, false}, stop);
     for (std::size_t i = 0; i < stops_.size(); ++i)
       for (std::size_t j = i + 1; j < stops_.size() && stops_[j].leg == stops_[i].leg; ++j)
         if (areToConnect(i, j)) connect(stops_[i], stops_[j]);
@@ -174,6 +191,9 @@ class Shortcuts {
   double shift_m_;  // 0: connect the route's own points; else: try its corners moved by this
   Draft draft_;
   Sites sites_;
+  Rails rails_;
+  std::vector<PlaceId>
+      beside_;  // places at the ends of lines beside the route's, to be connected to every corner
   ModeId lowest_mode_ = 0;
   std::array<bool, kMaxModes> is_used_{};
   std::vector<Stop> stops_;

@@ -27,8 +27,8 @@ class Sites {
   /// Translations between two places of one mode, at each heading that its senses allow; those that are not
   /// free are left out (Check::kNow) or left to the search. Returns whether there are any.
   bool connect(PlaceId a, PlaceId b);
-  /// The same to the best of several, nearest first: one in each direction of the compass, and all that join parts of
-  /// the roadmap that were apart.
+  /// The same to the best of several, nearest first: one in each direction of the compass, and all that join
+  /// parts of the roadmap that were apart.
   void connectAround(PlaceId place, std::span<const PlaceId> neighbours);
 
  private:

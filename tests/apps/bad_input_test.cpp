@@ -49,6 +49,8 @@ struct FileCase {
   std::string about;  ///< what the sentence must mention
 };
 
+void PrintTo(const FileCase& tested, std::ostream* out) { *out << tested.name; }
+
 /// The case's name, for the test's.
 struct CaseName {
   template <class Case>
@@ -71,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
         FileCase{"Empty", "", "map.yaml"}, FileCase{"AList", "- 1\n- 2\n", "map.yaml"},
         FileCase{"NoYaml", "{{{{: [", "map.yaml"}, FileCase{"Binary", std::string(300, '\0'), "map.yaml"},
         FileCase{"UnknownKey", std::string(kScenario) + "colour: red\n", "colour"},
-        FileCase{"ZeroSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, 0.0, 1.0]"), "map.yaml:5: obstacles[0].size_m"},
+        FileCase{"ZeroSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, 0.0, 1.0]"),
+                 "map.yaml:5: obstacles[0].size_m"},
         FileCase{"NegativeSize", with(kScenario, "size_m: [0.2, 0.2, 1.0]", "size_m: [0.2, -0.2, 1.0]"),
                  "map.yaml:5: obstacles[0].size_m"},
         FileCase{"NanInAnObstacle", with(kScenario, "center_m: [3.0", "center_m: [.nan"), "map.yaml"},
@@ -143,6 +146,8 @@ struct FlagCase {
   std::vector<std::string> words;
   std::string about;
 };
+
+void PrintTo(const FlagCase& tested, std::ostream* out) { *out << tested.name; }
 
 class BadFlag : public testing::TestWithParam<FlagCase> {};
 

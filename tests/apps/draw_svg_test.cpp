@@ -126,8 +126,7 @@ TEST(DrawSvg, ManyObstaclesOfAKindAreOnePathOfFewBytesEach) {
   const Robot robot = makeRobot();
   std::vector<Obstacle> cells;
   for (int i = 0; i < 20'000; ++i)
-    cells.push_back(
-        {std::to_string(i), {{0.02 * (i % 200), 0.03 * (i / 200), 1.0}, {0.02, 0.02, 2.0}, {}}});
+    cells.push_back({std::to_string(i), {{0.02 * (i % 200), 0.03 * (i / 200), 1.0}, {0.02, 0.02, 2.0}, {}}});
   const World world = makeWorld(std::move(cells));
   const std::string svg = drawSvg({world, robot});
   EXPECT_LT(count(svg, "<path"), 10U);

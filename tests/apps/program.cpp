@@ -5,34 +5,88 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 namespace underway {
 
-Outcome runProgram(const std::vector<std::string>& words) {
-  // Into files, not pipes: neither stream can fill up and block the other.
-  const Folder folder;
-  const std::string output = folder.path("output");
-  const std::string errors = folder.path("errors");
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT, 0600);
+namespace {
+
+/// An open file, closed with the object.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {
+    if (number < 0) throw std::runtime_error("cannot open a file for the program under test");
+  }
+  ~Descriptor() { ::close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+pid_t start(const std::vector<std::string>& words, const Descriptor& output, const Descriptor& errors) {
   std::vector<std::string> all{UNDERWAY_PROGRAM};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors.number(), STDERR_FILENO);
   pid_t child = 0;
   const int failed = posix_spawn(&child, UNDERWAY_PROGRAM, &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot start " UNDERWAY_PROGRAM);
+  return child;
+}
+
+int waitFor(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(output), readAll(errors)};
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int openNew(const std::string& file) { return ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600); }
+
+}  // namespace
+
+Outcome runProgram(const std::vector<std::string>& words) {
+  // Into files, not pipes: neither stream can fill up and block the other.
+  const Folder folder;
+  const std::string output = folder.path("output");
+  const std::string errors = folder.path("errors");
+  const int exit_code = waitFor(start(words, Descriptor(openNew(output)), Descriptor(openNew(errors))));
+  return {exit_code, readAll(output), readAll(errors)};
+}
+
+Server::Server(const std::vector<std::string>& words) {
+  int ends[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+  const Descriptor reading(ends[0]);
+  {
+    const Descriptor writing(ends[1]);  // closed at once: only the child's end keeps the pipe open
+    const Descriptor errors(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+    child_ = start(words, writing, errors);
+  }
+  for (char c = 0; ::read(reading.number(), &c, 1) == 1 && c != '\n';) first_line_ += c;
+}
+
+Server::~Server() {
+  if (child_ != 0) stop(SIGKILL);
+}
+
+int Server::stop(int signal) {
+  ::kill(child_, signal);
+  const int exit_code = waitFor(child_);
+  child_ = 0;
+  return exit_code;
 }
 
 Folder::Folder() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +18,24 @@ struct Outcome {
 /// Runs `underway` with these words, standard input closed, and waits for its end.
 [[nodiscard]] Outcome runProgram(const std::vector<std::string>& words);
 
+/// `underway serve` in the background, killed at the latest with the object.
+class Server {
+ public:
+  /// Returns when the program has printed its first line or ended.
+  explicit Server(const std::vector<std::string>& words);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  [[nodiscard]] const std::string& firstLine() const { return first_line_; }
+  /// Sends the signal, waits for the end and returns the exit code, -1 if a signal ended it.
+  int stop(int signal);
+
+ private:
+  pid_t child_ = 0;
+  std::string first_line_;
+};
+
 /// A fresh folder for the files of one test; gone with the object.
 class Folder {
  public:
@@ -24,8 +44,9 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  /// The path of a file in it. Writes the text when there is one.
+  /// The path of a file in it.
   [[nodiscard]] std::string path(const std::string& file_name) const { return (path_ / file_name).string(); }
+  /// Writes a file and returns its path.
   std::string write(const std::string& file_name, const std::string& text) const;
 
  private:

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/program.hpp"
@@ -117,9 +119,50 @@ TEST(Program, AQueryTellsTheMarginFromContact) {
   EXPECT_NE(outside.output.find("out_of_bounds"), std::string::npos) << outside.output;
 }
 
+/// A DDS domain of its own for each test process: tests run side by side.
+std::string testDomain() { return std::to_string(100 + getpid() % 100); }
+
+TEST(Program, AskGivesWhatPlanGives) {
+  const Folder folder;
+  const std::string ready = folder.path("ready");
+  Server server({"serve", "--map", kMap, "--domain", testDomain(), "--workers", "1", "--ready-file", ready});
+  EXPECT_EQ(server.firstLine(), "ready");
+  const Outcome asked =
+      runProgram({"ask", "--start", "0.6,2,0", "--goal", "5.4,2,0", "--domain", testDomain(), "--svg",
+                  folder.path("asked.svg"), "--map", kMap, "--json", "-"});
+  ASSERT_EQ(asked.exit_code, 0) << asked.errors;
+  const Outcome planned = runProgram(planWords("under_the_table", {"--json", "-"}));
+  EXPECT_EQ(Json::parse(asked.output)["segments"], Json::parse(planned.output)["segments"]);
+  EXPECT_EQ(Json::parse(asked.output)["world_hash"], Json::parse(planned.output)["world_hash"]);
+  EXPECT_EQ(readAll(folder.path("asked.svg")).rfind("<svg", 0), 0U);
+  EXPECT_EQ(readAll(ready), "ready\n");
+
+  const Outcome refused =
+      runProgram({"ask", "--start", "0.6,2,0", "--goal", "9,2", "--domain", testDomain(), "--json", "-"});
+  EXPECT_EQ(refused.exit_code, 3) << refused.errors;
+  EXPECT_EQ(Json::parse(refused.output)["status"], "goal_out_of_bounds");
+  EXPECT_EQ(server.stop(SIGINT), 0);
+}
+
+TEST(Program, AServerEndsInOrderWhenItIsTerminated) {
+  Server server({"serve", "--map", kMap, "--domain", testDomain()});
+  EXPECT_EQ(server.firstLine(), "ready");
+  EXPECT_EQ(server.stop(SIGTERM), 0);
+}
+
+TEST(Program, APlanIsJudgedInAWorldWhereItTurnsInsideAnObstacle) {
+  // Searching a turn for its closest heading once took forever when the body touched all the way round.
+  const Folder folder;
+  const std::string plan = folder.path("plan.json");
+  ASSERT_EQ(runProgram(planWords("under_the_table", {"--json", plan})).exit_code, 0);
+  const Outcome run = runProgram({"check", plan, "--map", UNDERWAY_SOURCE_DIR "/maps/scenario2a.yaml"});
+  EXPECT_EQ(run.exit_code, 3) << run.errors;
+  EXPECT_NE(run.output.find("Flawed: "), std::string::npos) << run.output;
+}
+
 TEST(Program, WithoutAServerAskEndsWithFour) {
   const Outcome run =
-      runProgram({"ask", "--start", "0.6,2,0", "--goal", "5.4,2", "--domain", "97", "--json", "-"});
+      runProgram({"ask", "--start", "0.6,2,0", "--goal", "5.4,2", "--domain", testDomain(), "--json", "-"});
   EXPECT_EQ(run.exit_code, 4) << run.errors;
   EXPECT_EQ(Json::parse(run.output)["status"], "no_server");
   EXPECT_EQ(run.errors.rfind("underway: ", 0), 0U) << run.errors;
