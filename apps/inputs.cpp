@@ -37,6 +37,15 @@ Expected<fs::path> findRobotFile(const std::string& robot) {
               "robot \"" + robot + "\" is neither a file nor one that comes along; looked at " + places);
 }
 
+Expected<fs::path> findDataFolder() {
+  std::error_code ignored;
+  for (const fs::path& folder : dataFolders())
+    if (fs::is_directory(folder / "maps", ignored) && fs::is_directory(folder / "robots", ignored))
+      return folder;
+  return fail(ErrorCode::kInternal,
+              "the maps/ and robots/ that come along are neither in the source tree nor installed");
+}
+
 Expected<Site> readSite(const MapArguments& map, const std::string& robot) {
   if (map.file.empty()) return fail(ErrorCode::kInvalidRequest, "--map is missing; name a map file");
   Expected<Map> read = readMap(map.file, map.options);

@@ -24,6 +24,9 @@ struct Site {
 /// installation, or beside the program, in this order. Errors: kInvalidRobot, naming the places looked at.
 [[nodiscard]] Expected<std::filesystem::path> findRobotFile(const std::string& robot);
 
+/// The folder that holds the maps/ and robots/ that come along, in the same order. Errors: kInternal.
+[[nodiscard]] Expected<std::filesystem::path> findDataFolder();
+
 /// The query of that name as arguments; policy, detour and deadline stay as they were given. Errors:
 /// kInvalidRequest, naming the queries there are.
 [[nodiscard]] Expected<QueryArguments> queryNamed(const std::string& name, const std::vector<Query>& queries,

@@ -24,9 +24,9 @@ ExitCode runCommandLine(int argc, char** argv) {
                    "underway");
   program.require_subcommand(0, 1);  // none at all is told below, in our own words
   program.footer(kExamples);
-  const std::vector<Command> commands{underway::addPlanCommand(program), underway::addAskCommand(program),
+  const std::vector<Command> commands{underway::addPlanCommand(program),  underway::addAskCommand(program),
                                       underway::addServeCommand(program), underway::addQueryCommand(program),
-                                      underway::addCheckCommand(program)};
+                                      underway::addCheckCommand(program), underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -21,7 +21,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
-    {"apps", {"geometry", "planner", "server"}},
+    {"bench", {"geometry", "planner"}},
+    {"apps", {"geometry", "planner", "server", "bench"}},
 };
 
 /// The only folder whose sources and headers may include a third party's headers.
