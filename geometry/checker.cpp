@@ -70,7 +70,7 @@ struct Checker::Engine {
       if (reach * half <= kTurnContact_m) return false;
       return self(self, middle - 0.5 * half, 0.5 * half) && self(self, middle + 0.5 * half, 0.5 * half);
     };
-    return passes(passes, 0.5 * motion.angle_rad, 0.5 * std::abs(motion.angle_rad));
+    return passes(passes, 0.5 * sweptAngle(motion), 0.5 * std::abs(sweptAngle(motion)));
   }
 
   /// All that a motion's body can reach, as an axis-aligned rectangle.
@@ -99,14 +99,20 @@ const Robot& Checker::robot() const { return *engine_->robot; }
 const Judge& Checker::judge() const { return engine_->judge; }
 
 bool Checker::isFree(const Motion& motion, double margin_m) const {
-  return engine_->allAlong(motion, [&](const Prism& body, double moved) {
-    return engine_->isInside(body.grown(moved)) && !engine_->scene.touches(body.grown(margin_m + moved));
+  return isInBounds(motion) && engine_->allAlong(motion, [&](const Prism& body, double moved) {
+    return !engine_->scene.touches(body.grown(margin_m + moved));
   });
 }
 
 bool Checker::isInBounds(const Motion& motion) const {
-  return engine_->allAlong(
-      motion, [&](const Prism& body, double moved) { return engine_->isInside(body.grown(moved)); });
+  const Prism body = engine_->swept(motion);
+  if (motion.kind != MotionKind::kTurn || motion.angle_rad == 0.0) return engine_->isInside(body);
+  const Point pivot = motion.from.position();
+  const auto footprint = body.footprint();
+  return std::all_of(footprint.begin(), footprint.end(), [&](Point corner) {
+    const double direction = std::atan2(corner.y - pivot.y, corner.x - pivot.x);
+    return world().bounds().containsArc(pivot, distance(pivot, corner), direction, motion.angle_rad);
+  });
 }
 
 bool Checker::isFreeAllRound(ModeId mode, Point at, double margin_m) const {

@@ -10,6 +10,8 @@
 namespace underway {
 namespace {
 
+constexpr double kFlush_m = 1e-9;
+
 using Object = fcl::CollisionObjectd;
 using Shape = std::shared_ptr<fcl::CollisionGeometryd>;
 
@@ -28,11 +30,13 @@ Object objectOf(const OrientedBox& box) {
   return {shape, placed(box.center_m, rotation(box))};
 }
 
+/// A prism as FCL's box, a hair higher and lower: a box that ends flush with the slab counts as touching here, as it
+/// does in the layers, however FCL rounds.
 Object objectOf(const Prism& prism) {
   const Point middle =
       transform(prism.frame, {0.5 * (prism.x.min + prism.x.max), 0.5 * (prism.y.min + prism.y.max)});
   return objectOf(OrientedBox{{middle.x, middle.y, 0.5 * (prism.z.min + prism.z.max)},
-                              {prism.x.length(), prism.y.length(), prism.z.length()},
+                              {prism.x.length(), prism.y.length(), prism.z.length() + 2.0 * kFlush_m},
                               {0.0, 0.0, prism.frame.yaw}});
 }
 

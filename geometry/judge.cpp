@@ -36,7 +36,7 @@ bool Judge::isClear(const Motion& motion, double clearance_m) const {
     if (2.0 * moved <= kTurnSlack_m) return false;
     return self(self, middle - 0.5 * half, 0.5 * half) && self(self, middle + 0.5 * half, 0.5 * half);
   };
-  return is_clear(is_clear, 0.5 * motion.angle_rad, 0.5 * std::abs(motion.angle_rad));
+  return is_clear(is_clear, 0.5 * sweptAngle(motion), 0.5 * std::abs(sweptAngle(motion)));
 }
 
 }  // namespace underway

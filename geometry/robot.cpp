@@ -11,8 +11,11 @@ namespace {
 
 constexpr double kLargestBody_m = 100.0;
 constexpr double kLargestSpeed_mps = 100.0;
+constexpr double kSlowest = 1e-4;  // [m/s], [rad/s]: slower is no movement, and its times would fit no field
 
 bool isAtLeast(double value, double least) { return std::isfinite(value) && value >= least; }
+bool isSpeed(double value) { return value == 0.0 || isAtLeast(value, kSlowest); }
+bool holds(Range outer, Range inner) { return outer.min <= inner.min + 1e-9 && outer.max >= inner.max - 1e-9; }
 
 /// What is wrong with a body, or nothing.
 std::string faultOf(const BodyBox& body) {
@@ -33,25 +36,14 @@ std::string faultOf(const Mode& mode) {
   if (mode.name.empty()) return "has no name";
   if (const std::string fault = faultOf(mode.body_m); !fault.empty()) return fault;
   for (const Sense sense : kSenses)
-    if (!isAtLeast(mode.speed(sense), 0.0) || mode.speed(sense) > kLargestSpeed_mps)
-      return "speed_mps." + std::string(name(sense)) + " must be between 0 and 100 m/s";
-  if (!isAtLeast(mode.turn_speed_radps, 0.0)) return "turn_speed_radps must be 0 or more";
+    if (!isSpeed(mode.speed(sense)) || mode.speed(sense) > kLargestSpeed_mps)
+      return "speed_mps." + std::string(name(sense)) + " must be 0 or between 0.0001 and 100 m/s";
+  if (!isSpeed(mode.turn_speed_radps)) return "turn_speed_radps must be 0 or at least 0.0001 rad/s";
   if (!isAtLeast(mode.drift_m_per_m, 0.0) || mode.drift_m_per_m > 1.0)
     return "drift_m_per_m must be between 0 and 1";
   if (!isAtLeast(mode.step_over_m, 0.0) || mode.step_over_m >= mode.body_m.z.max)
     return "step_over_m must be 0 or more and below the body's height";
   return {};
-}
-
-std::string faultOf(const Switch& change, const Robot& robot) {
-  if (change.from >= robot.modes.size() || change.to >= robot.modes.size())
-    return "names a mode that does not exist";
-  if (change.from == change.to) return "leads from a mode to itself";
-  if (!isAtLeast(change.duration_s, 0.0)) return "duration_s must be 0 or more";
-  const Pose& by = change.displacement;
-  if (!std::isfinite(by.x) || !std::isfinite(by.y) || !std::isfinite(by.yaw))
-    return "displacement must be finite";
-  return faultOf(change.body_m);
 }
 
 /// The box, in the old body frame, round the old body where it is and the new one where the displacement puts
@@ -68,6 +60,21 @@ BodyBox hullOfBoth(const Switch& change, const Robot& robot) {
   }
   box.z = hull(box.z, next.z);
   return box;
+}
+
+std::string faultOf(const Switch& change, const Robot& robot) {
+  if (change.from >= robot.modes.size() || change.to >= robot.modes.size())
+    return "names a mode that does not exist";
+  if (change.from == change.to) return "leads from a mode to itself";
+  if (!isAtLeast(change.duration_s, 0.0)) return "duration_s must be 0 or more";
+  const Pose& by = change.displacement;
+  if (!std::isfinite(by.x) || !std::isfinite(by.y) || !std::isfinite(by.yaw))
+    return "displacement must be finite";
+  if (const std::string fault = faultOf(change.body_m); !fault.empty()) return fault;
+  const BodyBox both = hullOfBoth(change, robot);
+  if (!holds(change.body_m.x, both.x) || !holds(change.body_m.y, both.y) || !holds(change.body_m.z, both.z))
+    return "body_m must cover the whole motion, at least the body before it and the body after it";
+  return {};
 }
 
 std::string labelOf(const Switch& change, const Robot& robot) {

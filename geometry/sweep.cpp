@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace underway {
 namespace {
@@ -61,6 +62,11 @@ Range slabOf(const Robot& robot, const Motion& motion, double floor_z_m) {
 Prism sweptBox(const Robot& robot, const Motion& motion, double floor_z_m) {
   const BodyBox body = boxOf(robot, motion);
   return {motion.from, body.x, body.y, slabOf(robot, motion, floor_z_m)};
+}
+
+double sweptAngle(const Motion& motion) {
+  constexpr double kRevolution = 2.0 * std::numbers::pi;
+  return std::clamp(motion.angle_rad, -kRevolution, kRevolution);
 }
 
 double reachOf(const BodyBox& body) {

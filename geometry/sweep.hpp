@@ -28,6 +28,9 @@ struct Prism {
 /// by drift times length. Of a turn: the body at the turn's beginning.
 [[nodiscard]] Prism sweptBox(const Robot& robot, const Motion& motion, double floor_z_m);
 
+/// The turn's angle [rad], or one revolution if it is more: nothing new is covered after that.
+[[nodiscard]] double sweptAngle(const Motion& motion);
+
 /// A turn is judged on pieces: the body at `yaw` and all within `half_rad` of it lie within `reach_m *
 /// half_rad` of the body at `yaw`, because no corner is further from the pivot than its reach.
 [[nodiscard]] double reachOf(const BodyBox& body);

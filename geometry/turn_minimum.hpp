@@ -6,6 +6,7 @@
 
 #include "geometry/convex.hpp"
 #include "geometry/motion.hpp"
+#include "geometry/sweep.hpp"
 
 namespace underway {
 
@@ -15,8 +16,8 @@ namespace underway {
 class TurnMinimum {
  public:
   TurnMinimum(const Motion& motion, double reach_m, double tolerance_m)
-      : middle_(motion.from.yaw + 0.5 * motion.angle_rad),
-        half_(0.5 * std::abs(motion.angle_rad)),
+      : middle_(motion.from.yaw + 0.5 * sweptAngle(motion)),
+        half_(0.5 * std::abs(sweptAngle(motion))),
         reach_m_(reach_m),
         tolerance_m_(tolerance_m) {}
 

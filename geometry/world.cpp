@@ -1,12 +1,17 @@
 #include "geometry/world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unordered_set>
 
 #include "geometry/fingerprint.hpp"
 
 namespace underway {
 namespace {
+
+constexpr double kRounding = 1e-14;        // of coordinates through a frame, relative
+constexpr double kSmallestBounds_m = 0.01;
 
 bool isSane(double value) { return std::isfinite(value) && std::abs(value) <= World::kLargest_m; }
 bool isSane(const Vec3& v) { return isSane(v.x) && isSane(v.y) && isSane(v.z); }
@@ -23,22 +28,40 @@ std::string faultOf(const OrientedBox& box) {
 std::string faultOf(const Bounds& bounds) {
   if (!isSane(bounds.corner.x) || !isSane(bounds.corner.y) || !isSane(bounds.corner.yaw))
     return "the bounds' corner must be finite and within 100 km";
-  if (!isSane(bounds.width_m) || !isSane(bounds.height_m) || bounds.width_m <= 0.0 || bounds.height_m <= 0.0)
-    return "the bounds must have a width and a height above 0 and below 100 km";
+  if (!isSane(bounds.width_m) || !isSane(bounds.height_m) || bounds.width_m < kSmallestBounds_m ||
+      bounds.height_m < kSmallestBounds_m)
+    return "the bounds must have a width and a height above 0.01 m and below 100 km";
   return {};
+}
+
+/// A point of the map frame in a frame.
+Point inFrame(const Pose& frame, Point point) {
+  const double c = std::cos(frame.yaw);
+  const double s = std::sin(frame.yaw);
+  return {c * (point.x - frame.x) + s * (point.y - frame.y), -s * (point.x - frame.x) + c * (point.y - frame.y)};
 }
 
 }  // namespace
 
 bool Bounds::contains(Point point) const {
-  if (corner.yaw == 0.0)  // not through cos and sin: a body may stand exactly on the edge
-    return point.x >= corner.x && point.x <= corner.x + width_m && point.y >= corner.y &&
-           point.y <= corner.y + height_m;
-  const double c = std::cos(corner.yaw);
-  const double s = std::sin(corner.yaw);
-  const double along = c * (point.x - corner.x) + s * (point.y - corner.y);
-  const double across = -s * (point.x - corner.x) + c * (point.y - corner.y);
-  return along >= 0.0 && along <= width_m && across >= 0.0 && across <= height_m;
+  const Point local = inFrame(corner, point);
+  const double slack = kRounding * (std::abs(corner.x) + std::abs(corner.y) + width_m + height_m);
+  return local.x >= -slack && local.x <= width_m + slack && local.y >= -slack && local.y <= height_m + slack;
+}
+
+bool Bounds::containsArc(Point center, double radius_m, double from_rad, double angle_rad) const {
+  const double begin = (angle_rad < 0.0 ? from_rad + angle_rad : from_rad) - corner.yaw;
+  const double angle = std::min(std::abs(angle_rad), 2.0 * std::numbers::pi);
+  const Point middle = inFrame(corner, center);
+  const auto reaches = [&](double direction) { return counterClockwise(begin, direction) <= angle; };
+  const auto is_inside = [&](double direction) {
+    return contains(transform(corner, {middle.x + radius_m * std::cos(direction), middle.y + radius_m * std::sin(direction)}));
+  };
+  // An arc is furthest out at its ends and where it runs along an edge.
+  if (!is_inside(begin) || !is_inside(begin + angle)) return false;
+  for (const double quarter : {0.0, 0.5, 1.0, 1.5})
+    if (const double along = quarter * std::numbers::pi; reaches(along) && !is_inside(along)) return false;
+  return true;
 }
 
 std::array<Point, 4> Bounds::corners() const {

@@ -26,8 +26,10 @@ struct Bounds {
   double height_m = 0.0;  ///< along the corner's y axis
   bool operator==(const Bounds&) const = default;
 
-  /// Whether a point of the map frame lies inside or on the edge.
+  /// Whether a point of the map frame lies inside or on the edge, but for rounding.
   [[nodiscard]] bool contains(Point point) const;
+  /// Whether all of an arc lies inside: of a circle, from one direction [rad] over a signed angle [rad].
+  [[nodiscard]] bool containsArc(Point center, double radius_m, double from_rad, double angle_rad) const;
   /// The corners, counter-clockwise from `corner`.
   [[nodiscard]] std::array<Point, 4> corners() const;
 };

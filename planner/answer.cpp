@@ -13,12 +13,20 @@ namespace {
 
 constexpr double kClearanceStep_m = 1e-3;  // to which kSafest finds the largest clearance
 
+/// How close a motion comes. A turn's clearance is told a little low; near contact that little would be all
+/// of it.
+Closeness closenessOf(const Checker& checker, const Motion& motion) {
+  constexpr double kNearContact_m = 2e-3;
+  constexpr double kFine_m = 1e-6;
+  const Closeness told = checker.closeness(motion, kClearanceCap_m);
+  return told.clearance_m < kNearContact_m ? checker.closeness(motion, kClearanceCap_m, kFine_m) : told;
+}
+
 /// One way to answer, timed and with its clearances.
 Plan planOf(const Checker& checker, const Route& route, const Pose& start) {
   std::vector<Segment> segments;
   for (const Motion& motion : route)
-    segments.push_back(
-        {motion, duration(checker.robot(), motion), checker.closeness(motion, kClearanceCap_m)});
+    segments.push_back({motion, duration(checker.robot(), motion), closenessOf(checker, motion)});
   return timedPlan(std::move(segments), start);
 }
 
@@ -46,23 +54,32 @@ class Answerer {
     const Roadmap& roadmap = attached.roadmap;
     keeping_.start_m = roadmap.place(roadmap.node(attached.start).place).keep_m;
     keeping_.goal_m = roadmap.place(attached.goal_place).keep_m;
+    keeping_.any_heading = !attached.goal_node.has_value();
   }
 
   /// Each policy takes the best, by its own measure, of what all policies that matter to it have found. So
   /// priority never crawls further than fastest, and safest never comes closer than fastest, whatever the
   /// shortcuts do.
+  ///
+  /// Nothing when interrupted before all searches were through: time must not decide which plan is given.
+  /// Shortening is bounded work and is not interrupted by the deadline, for the same reason.
   std::optional<Plan> best() {
-    auto plan = route(Policy::kFastest, 0.0);
-    if (!plan) return std::nullopt;
-    const Plan fastest = *plan;
-    const auto by_priority = route(Policy::kPriority, 0.0);
-    if (by_priority && isBetter(*by_priority, *plan)) plan = by_priority;
-    if (request_.policy == Policy::kSafest)
-      if (const auto safest = safestRoute(); safest && isBetter(*safest, *plan)) plan = safest;
+    const auto fastest = planBy(Policy::kFastest);
+    if (!fastest) return std::nullopt;
+    const auto by_priority = planBy(Policy::kPriority);
+    if (!by_priority) return std::nullopt;
+    Plan plan = isBetter(*by_priority, *fastest) ? *by_priority : *fastest;
+    if (request_.policy == Policy::kSafest) {
+      const double clearance = largestClearance();
+      const auto safest =
+          clearance > checker_.robot().margin_m ? planBy(Policy::kFastest, clearance) : std::nullopt;
+      if (safest && isBetter(*safest, plan)) plan = *safest;
+      if (interrupt_.isDueNow()) return std::nullopt;
+    }
     const bool is_detour = request_.policy == Policy::kPriority &&
-                           plan->total_time_s >= request_.max_detour * fastest.total_time_s &&
-                           plan->total_time_s > fastest.total_time_s;
-    return is_detour ? fastest : *plan;
+                           plan.total_time_s >= request_.max_detour * fastest->total_time_s &&
+                           plan.total_time_s > fastest->total_time_s;
+    return is_detour ? *fastest : plan;
   }
 
  private:
@@ -74,33 +91,30 @@ class Answerer {
     return a.total_time_s < b.total_time_s;
   }
 
-  std::optional<Plan> route(Policy policy, double at_least_m) {
+  std::optional<Route> routeBy(Policy policy, double at_least_m) {
     const Target target{attached_.start, attached_.goal_place, attached_.goal_node, policy, at_least_m};
-    auto found = search(attached_.roadmap, checker_.robot(), checks_, target, interrupt_);
-    if (!found) return std::nullopt;
-    Keeping keeping = keeping_;
-    keeping.at_least_m = at_least_m;
-    return planOf(checker_, shortened(checker_, policy, std::move(*found), keeping, interrupt_),
-                  request_.start);
+    return search(attached_.roadmap, checker_.robot(), checks_, target, interrupt_);
   }
 
-  /// The fastest route that keeps the largest clearance any route keeps, up to the enough.
-  std::optional<Plan> safestRoute() {
+  std::optional<Plan> planBy(Policy policy, double at_least_m = 0.0) {
+    auto route = routeBy(policy, at_least_m);
+    if (!route) return std::nullopt;
+    Keeping keeping = keeping_;
+    keeping.at_least_m = at_least_m;
+    Interrupt stopped(Interrupt::Clock::time_point::max(), interrupt_.stop());
+    return planOf(checker_, shortened(checker_, policy, std::move(*route), keeping, stopped), request_.start);
+  }
+
+  /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.
+  double largestClearance() {
     double has = checker_.robot().margin_m;
     double lacks = kEnoughClearance_m;
-    if (has >= lacks) return std::nullopt;
-    auto best = route(Policy::kFastest, lacks);
-    if (best) return best;
-    while (lacks - has > kClearanceStep_m && !interrupt_.isDue()) {
+    if (has >= lacks || routeBy(Policy::kFastest, lacks)) return lacks;
+    while (lacks - has > kClearanceStep_m && !interrupt_.isDueNow()) {
       const double middle = 0.5 * (has + lacks);
-      if (auto found = route(Policy::kFastest, middle)) {
-        best = std::move(found);
-        has = middle;
-      } else {
-        lacks = middle;
-      }
+      (routeBy(Policy::kFastest, middle) ? has : lacks) = middle;
     }
-    return best;
+    return has;
   }
 
   const Checker& checker_;
@@ -111,6 +125,14 @@ class Answerer {
   Keeping keeping_;
 };
 
+/// What a certificate says of a plan that must not be given out.
+Error faultOf(const Flaw& flaw) {
+  return {ErrorCode::kInternal,
+          "a plan was found but failed its certificate and is not given out: segment " +
+              std::to_string(flaw.segment) + " " + flaw.sentence,
+          {}};
+}
+
 double microsecondsSince(Interrupt::Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Interrupt::Clock::now() - start).count();
 }
@@ -119,23 +141,22 @@ double microsecondsSince(Interrupt::Clock::time_point start) {
 
 Expected<std::optional<Plan>> answer(const Checker& checker, std::shared_ptr<const Roadmap> roadmap,
                                      const Request& request, Interrupt& interrupt) {
-  const auto started = Interrupt::Clock::now();
-  const Roadmap& base = *roadmap;
-  std::optional<Plan> plan;
+  std::optional<Error> fault;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
-    const auto attached = plan ? std::nullopt : attach(checker, roadmap, request, effort, interrupt);
-    if (attached) plan = Answerer(checker, request, *attached, interrupt).best();
+    const auto started = Interrupt::Clock::now();
+    const auto attached = attach(checker, roadmap, request, effort, interrupt);
+    auto plan = attached ? Answerer(checker, request, *attached, interrupt).best() : std::nullopt;
+    if (!plan) continue;
+    plan->stats = {
+        roadmap->nodes.size(), roadmap->edges.size(), roadmap->batches, 0.0, microsecondsSince(started), 0.0};
+    const auto planned = Interrupt::Clock::now();
+    const std::vector<Flaw> flaws = certify(*plan, request, checker);
+    plan->stats.certify_us = microsecondsSince(planned);
+    if (flaws.empty()) return plan;
+    fault = faultOf(flaws.front());
   }
-  if (!plan) return std::nullopt;
-  plan->stats = {base.nodes.size(), base.edges.size(), base.batches, 0.0, microsecondsSince(started), 0.0};
-  const auto planned = Interrupt::Clock::now();
-  const std::vector<Flaw> flaws = certify(*plan, request, checker);
-  plan->stats.certify_us = microsecondsSince(planned);
-  if (!flaws.empty())
-    return fail(ErrorCode::kInternal,
-                "a plan was found but failed its certificate and is not given out: segment " +
-                    std::to_string(flaws[0].segment) + " " + flaws[0].sentence);
-  return plan;
+  if (fault) return tl::unexpected(*fault);
+  return std::nullopt;
 }
 
 }  // namespace underway

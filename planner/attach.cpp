@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "planner/draft.hpp"
 #include "planner/rails.hpp"
@@ -17,6 +18,9 @@ constexpr std::size_t kNeighbours = 16;
 constexpr std::size_t kNeighboursOfHelpers = 8;  // of places added to get out of a tight spot or off a line
 constexpr std::array kGrid_m{-1.2, -0.8, -0.5, -0.3, -0.15, -0.06, 0.0, 0.06, 0.15, 0.3, 0.5, 0.8, 1.2};
 constexpr double kSamePlace_m = 1e-6;
+constexpr double kGoalTolerance_m = 0.009;  // formats: 0.01 m, 0.02 rad; less a little
+constexpr double kGoalTolerance_rad = 0.019;
+constexpr int kOpenHeadings = 24;
 
 /// One end of the request, and which way in time it is attached.
 struct End {
@@ -71,11 +75,13 @@ class Attachment {
              {request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)},
              request.goal_yaw.has_value(),
              {}};
-    if (distance(start.pose.position(), request.goal) < kSamePlace_m) {
+    if (const auto ahead = goalOnLineOf(start, goal)) goal.pose = *ahead, goal.has_heading = true;
+    if (distance(start.pose.position(), goal.pose.position()) < kSamePlace_m) {
       const auto here = std::find_if(start.places.begin(), start.places.end(),
                                      [&](PlaceId place) { return draft_.modeOf(place) == goal.mode; });
       if (here != start.places.end()) {
         goal.places = {*here};
+        draft_.keepLess(*here, keepOf(goal));
         if (goal.has_heading) draft_.addHeading(*here, goal.pose.yaw);
         return goal;
       }
@@ -84,9 +90,43 @@ class Attachment {
     return goal;
   }
 
+  /// A goal that a mode that cannot turn reaches straight on, but for the tolerance with which goals are
+  /// reached: the pose on the start's line nearest to it.
+  [[nodiscard]] std::optional<Pose> goalOnLineOf(const End& start, const End& goal) const {
+    const Mode& mode = robot_.modes[start.mode];
+    if (goal.mode != start.mode || mode.canTurn()) return std::nullopt;
+    if (goal.has_heading && std::abs(normalizedAngle(goal.pose.yaw - start.pose.yaw)) > kGoalTolerance_rad)
+      return std::nullopt;
+    for (const Sense sense : kSenses) {
+      const double direction = start.pose.yaw + angleOf(sense);
+      const double way = std::cos(direction) * (goal.pose.x - start.pose.x) +
+                         std::sin(direction) * (goal.pose.y - start.pose.y);
+      if (!mode.canMove(sense) || way < 0.0) continue;
+      const Pose ahead = translate(start.mode, sense, start.pose, way).to;
+      if (distance(ahead.position(), goal.pose.position()) <= kGoalTolerance_m) return ahead;
+    }
+    return std::nullopt;
+  }
+
+  /// Headings to reach an end at, where it matters: its own, or, of a goal that leaves it open, some all
+  /// round.
+  [[nodiscard]] static std::vector<Pose> posesOf(const End& end) {
+    if (end.has_heading) return {end.pose};
+    std::vector<Pose> poses;
+    for (int i = 0; i < kOpenHeadings; ++i)
+      poses.push_back({end.pose.x, end.pose.y, normalizedAngle(2.0 * std::numbers::pi * i / kOpenHeadings)});
+    return poses;
+  }
+
+  /// The clearance to keep at an end: of the roomiest heading if it is open.
+  [[nodiscard]] double keepOf(const End& end) const {
+    double keep = 0.0;
+    for (const Pose& pose : posesOf(end)) keep = std::max(keep, clearanceToKeep(checker_, end.mode, pose));
+    return keep;
+  }
+
   void addPlaces(End& end) {
-    const double keep = end.has_heading ? clearanceToKeep(checker_, end.mode, end.pose) : robot_.margin_m;
-    end.places = sites_.add(end.mode, end.pose.position(), keep);
+    end.places = sites_.add(end.mode, end.pose.position(), keepOf(end));
     if (end.has_heading) draft_.addHeading(end.places[0], end.pose.yaw);
   }
 
@@ -141,7 +181,8 @@ class Attachment {
 
   /// A mode that cannot turn leaves a start ahead and comes to a goal from behind.
   void followLine(const End& end) {
-    if (!robot_.modes[end.mode].canTurn() && end.has_heading) followLine(end.side, end.places[0], end.pose);
+    if (robot_.modes[end.mode].canTurn()) return;
+    for (const Pose& pose : posesOf(end)) followLine(end.side, end.places[0], pose);
   }
 
   void followLine(End::Side side, PlaceId place, const Pose& pose) {
@@ -157,14 +198,18 @@ class Attachment {
   void changeMode(const End& end) {
     if (!end.has_heading) return;
     const double keep = draft_.keepOf(end.places[0]);
+    const std::vector<ModeId> companions = companionsOf(robot_)[end.mode];
     for (const Switch& change : robot_.switches) {
       const bool is_start = end.side == End::Side::kStart;
-      if ((is_start ? change.from : change.to) != end.mode || change.displacement == Pose{}) continue;
+      if ((is_start ? change.from : change.to) != end.mode) continue;
+      const ModeId other_mode = is_start ? change.to : change.from;
+      if (std::find(companions.begin(), companions.end(), other_mode) != companions.end()) continue;
       const Pose other =
           is_start ? compose(end.pose, change.displacement) : before(end.pose, change.displacement);
       if (!isFreeKeeping(checker_, switchModes(change, is_start ? end.pose : other), keep)) continue;
       const ModeId mode = is_start ? change.to : change.from;
-      const auto places = sites_.add(mode, other.position(), clearanceToKeep(checker_, mode, other));
+      const bool is_here = other.position() == end.pose.position();
+      const auto places = sites_.add(mode, other.position(), is_here ? keep : robot_.margin_m);
       if (is_start)
         draft_.addSwitch(end.places[0], end.pose.yaw, places[0], other.yaw);
       else
@@ -188,10 +233,10 @@ class Attachment {
       return;
     }
     for (const Sense sense : kSenses) {  // without turning: only if the goal lies on the start's line
-      const Motion ahead =
-          translate(start.mode, sense, start.pose, distance(start.pose.position(), goal.pose.position()));
-      const bool same_heading = !goal.has_heading || goal.pose.yaw == start.pose.yaw;
-      if (mode.canMove(sense) && same_heading && distance(ahead.to.position(), goal.pose.position()) < 1e-10)
+      const double way = distance(start.pose.position(), goal.pose.position());
+      const Motion ahead = translate(start.mode, sense, start.pose, way);
+      if (mode.canMove(sense) && goal.has_heading && goal.pose.yaw == start.pose.yaw &&
+          distance(ahead.to.position(), goal.pose.position()) < 1e-10)
         draft_.addTranslation(a, b, start.pose.yaw, sense);
     }
   }

@@ -14,8 +14,9 @@ namespace {
 constexpr double kExact = 1e-9;   // of positions [m] and headings [rad]
 constexpr double kGoal_m = 0.01;  // how near the goal a plan may end
 constexpr double kGoal_rad = 0.02;
-constexpr double kTold_m = 1e-3;  // how much less than the truth a clearance may be told
-constexpr double kSum = 1e-6;     // of totals, relative
+constexpr double kTold_m = 1e-3;           // how much less than the truth a clearance may be told
+constexpr double kPlannedWithin_m = 5e-6;  // to which planning keeps what start and goal have
+constexpr double kSum = 1e-6;              // of totals, relative
 
 double apart(double a_rad, double b_rad) { return std::abs(normalizedAngle(a_rad - b_rad)); }
 bool isNear(double a, double b) { return std::abs(a - b) <= kSum * std::max(1.0, std::abs(b)); }
@@ -55,6 +56,7 @@ class Certificate {
       flaw("the plan ends {:.4f} m from the goal", off);
     if (request_.goal_yaw && !(apart(end.yaw, *request_.goal_yaw) <= kGoal_rad))
       flaw("the plan ends {:.4f} rad off the goal's heading", apart(end.yaw, *request_.goal_yaw));
+    if (!(plan_.goal == end)) flaw("the goal it says it reaches is not where its last segment ends");
     if (mode != request_.goal_mode) flaw("the plan does not end in the goal's mode");
   }
 
@@ -132,24 +134,34 @@ class Certificate {
     }
     if (!checker_.judge().isClear(motion(), std::min(told, kClearanceCap_m)))
       flaw("tells {:.4f} m of clearance and has less", told);
-    const double truth = checker_.closeness(motion(), kClearanceCap_m).clearance_m;
+    const Closeness closeness = checker_.closeness(motion(), kClearanceCap_m);
+    const double truth = closeness.clearance_m;
+    checkHeadroom(closeness.headroom_m);
     if (told < truth - kTold_m) flaw("tells {:.4f} m of clearance and has {:.4f} m", told, truth);
     if (!checker_.judge().isClear(motion(), leastAllowed()))
       flaw("keeps {:.4f} m of clearance; {:.4f} m are asked for", truth, leastAllowed());
   }
 
-  /// The margin; less where all segments since the start, or all to the goal, are as close as it is itself.
+  void checkHeadroom(const std::optional<double>& truth_m) {
+    const std::optional<double>& told_m = segment().closeness.headroom_m;
+    if (told_m.has_value() != truth_m.has_value() || (told_m && !(std::abs(*told_m - *truth_m) <= kTold_m)))
+      flaw("tells {} of headroom and has {}", metres(told_m), metres(truth_m));
+  }
+
+  static std::string metres(const std::optional<double>& length_m) {
+    return length_m ? fmt::format("{:.4f} m", *length_m) : "none";
+  }
+
+  /// The margin; on motions that leave the start's position or come to the goal's no more than that pose has
+  /// itself.
   [[nodiscard]] double leastAllowed() const {
-    const double margin = robot_.margin_m;
-    const auto is_tight = [&](const Segment& s) { return s.closeness.clearance_m < margin; };
-    const auto begin = plan_.segments.begin();
-    const auto here = begin + static_cast<std::ptrdiff_t>(at_);
-    double least = margin;
-    if (std::all_of(begin, here + 1, is_tight))
+    double least = robot_.margin_m;
+    if (motion().from.position() == request_.start.position())
       least = std::min(least, standingClearance(request_.start_mode, request_.start));
-    if (std::all_of(here, plan_.segments.end(), is_tight))
-      least = std::min(least, standingClearance(plan_.segments.back().motion.to_mode, plan_.goal));
-    return std::max(least - kToldTurn_m, 0.0);
+    const Motion& last = plan_.segments.back().motion;
+    if (motion().to.position() == last.to.position())
+      least = std::min(least, standingClearance(last.to_mode, last.to));
+    return std::max(least - kPlannedWithin_m, 0.0);
   }
 
   [[nodiscard]] double standingClearance(ModeId mode, const Pose& pose) const {

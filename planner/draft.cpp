@@ -17,6 +17,11 @@ Draft::PlaceId Draft::addPlace(ModeId mode, Point at, double keep_m) {
   return placeCount() - 1;
 }
 
+void Draft::keepLess(PlaceId place, double keep_m) {
+  double& keep = own_[place - first_own_].place.keep_m;
+  keep = std::min(keep, keep_m);
+}
+
 std::vector<double>& Draft::headingsOf(PlaceId place) {
   return place < first_own_ ? base_headings_[place] : own_[place - first_own_].headings;
 }

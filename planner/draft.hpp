@@ -23,6 +23,8 @@ class Draft {
 
   /// A position in a mode, with no heading yet. Motions there keep `keep_m`.
   PlaceId addPlace(ModeId mode, Point at, double keep_m);
+  /// Lowers what is kept at a place: where a goal is, a start may be too.
+  void keepLess(PlaceId place, double keep_m);
   /// A heading that is not there for a connection's sake: a start's or a goal's.
   void addHeading(PlaceId place, double yaw);
   /// Translations between two places of one mode at a heading, in `sense` from a to b and back again the

@@ -5,18 +5,21 @@
 
 namespace underway {
 
-/// When to give up: a deadline or a stop. Asked in every inner loop; cheap, because it looks at the clock
-/// only every few calls. One for each thread.
+/// When to give up: a deadline or a stop. Asked in every inner loop. One for each thread.
 class Interrupt {
  public:
   using Clock = std::chrono::steady_clock;
   Interrupt(Clock::time_point deadline, std::stop_token stop) : deadline_(deadline), stop_(std::move(stop)) {}
 
-  [[nodiscard]] bool isDue() {
-    if (!due_ && calls_++ % kCallsPerLook == 0) due_ = stop_.stop_requested() || Clock::now() >= deadline_;
+  /// For loops whose rounds take less than a microsecond: looks at the clock every few calls only.
+  [[nodiscard]] bool isDue() { return due_ || (calls_++ % kCallsPerLook == 0 && isDueNow()); }
+  /// For all others.
+  [[nodiscard]] bool isDueNow() {
+    if (!due_) due_ = stop_.stop_requested() || Clock::now() >= deadline_;
     return due_;
   }
   [[nodiscard]] bool isStopped() const { return stop_.stop_requested(); }
+  [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
  private:
   static constexpr unsigned kCallsPerLook = 16;

@@ -2,7 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <atomic>
 #include <mutex>
+#include <optional>
 
 #include "planner/answer.hpp"
 #include "planner/grow.hpp"
@@ -21,48 +23,56 @@ struct Planner::State {
     return snapshot;
   }
 
-  /// Publishes the roadmap as grown. False when interrupted.
-  bool publish(Interrupt& interrupt) {
-    auto roadmap = growth.freeze(interrupt);
-    if (!roadmap) return false;
+  /// Publishes the roadmap as grown. A growth that is not published would be lost work, so only a stop
+  /// interrupts it.
+  void publish(const std::stop_token& stop) {
+    Interrupt stopped(Clock::time_point::max(), stop);
+    auto roadmap = growth.freeze(stopped);
+    if (!roadmap) return;
     auto shared = std::make_shared<const Roadmap>(std::move(*roadmap));
     const std::lock_guard lock(published);
     snapshot = std::move(shared);
-    return true;
   }
 
-  /// Grows until the floor is covered or `growing_time` is due, and publishes that; a later call finds a
-  /// roadmap and returns at once.
+  /// Waits for its turn to grow; not owned when the deadline passes or the request is stopped first.
+  [[nodiscard]] std::unique_lock<std::timed_mutex> turnToGrow(Interrupt& interrupt) {
+    std::unique_lock lock(growing, std::defer_lock);
+    while (!interrupt.isDueNow() && !lock.try_lock_for(kPatience)) continue;
+    return lock;
+  }
+
+  /// Grows until the floor is covered or `growing_time` is due, and publishes that, unless there is a roadmap
+  /// already.
   void cover(Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
-    const std::lock_guard lock(growing);
     if (current()) return;
+    const auto lock = turnToGrow(interrupt);
+    if (!lock || current()) return;
     const auto started = Clock::now();
     const std::uint32_t wanted = growth.batchesToCover();
     do {
       growth.addBatch();
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
-    } while (growth.batches() < wanted && !growing_time.isDue());
+    } while (growth.batches() < wanted && !growing_time.isDueNow());
     build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
-    publish(interrupt);
+    publish(interrupt.stop());
   }
 
   /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
-  /// this one grown by a fifth. False when interrupted.
-  bool growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
-    const std::lock_guard lock(growing);
-    if (current()->batches > roadmap.batches) return true;
+  /// this one grown by a fifth, or as far as it comes by the deadline.
+  void growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
+    const auto lock = turnToGrow(interrupt);
+    if (!lock || current()->batches > roadmap.batches) return;
     const std::uint32_t wanted = growth.batches() + 1 + growth.batches() / 5;
-    while (growth.batches() < wanted) {
-      if (interrupt.isDue()) return false;
-      growth.addBatch();
-    }
-    return publish(interrupt);
+    while (growth.batches() < wanted && !interrupt.isDueNow()) growth.addBatch();
+    if (growth.batches() > roadmap.batches) publish(interrupt.stop());
   }
 
+  static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
+
   Checker checker;
-  std::mutex growing;
+  std::timed_mutex growing;
   Growth growth;
-  double build_ms = 0.0;  // written once, before the first snapshot is
+  std::atomic<double> build_ms = 0.0;
   mutable std::mutex published;
   std::shared_ptr<const Roadmap> snapshot;
 };
@@ -88,25 +98,27 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   Interrupt interrupt(deadline, stop);
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
   Interrupt growing_time(started + (deadline - started) / 2, stop);
-  if (!interrupt.isDue()) state_->cover(growing_time, interrupt, progress);
-  while (const auto roadmap = interrupt.isDue() ? nullptr : state_->current()) {
+  std::optional<Error> fault;  // of a plan that failed its certificate: another roadmap may hold a better one
+  if (!interrupt.isDueNow()) state_->cover(growing_time, interrupt, progress);
+  while (const auto roadmap = interrupt.isDueNow() ? nullptr : state_->current()) {
     auto plan = answer(state_->checker, roadmap, request, interrupt);
-    if (!plan) return tl::unexpected(plan.error());
-    if (*plan) {
+    if (plan && *plan) {
       (*plan)->stats.build_ms = state_->build_ms;
       return std::move(**plan);
     }
-    if (!state_->growBeyond(*roadmap, interrupt)) break;
+    if (!plan) fault = plan.error();
+    state_->growBeyond(*roadmap, interrupt);
   }
   if (interrupt.isStopped())
     return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
+  if (fault) return tl::unexpected(*fault);
   const auto roadmap = state_->current();
   return fail(
       ErrorCode::kTimeout,
-      fmt::format(
-          "no plan found in {:.1f} s, with {} batches of roadmap; there may be none: give it more time, "
-          "or look at the places with `underway query`",
-          std::chrono::duration<double>(Clock::now() - started).count(), roadmap ? roadmap->batches : 0U));
+      fmt::format("no plan found in {:.1f} s, with {} batches of roadmap; there may be none: give it more "
+                  "time, or look at the places with `underway query`",
+                  std::chrono::duration<double>(Clock::now() - started).count(),
+                  roadmap ? roadmap->batches : 0U));
 }
 
 }  // namespace underway

@@ -12,7 +12,7 @@
 
 namespace underway {
 
-/// Told while the roadmap grows: the share that is done, 0..1.
+/// Told while the roadmap grows: the share that is done, 0..1. Must not call the planner.
 using Progress = std::function<void(double)>;
 
 /// Plans in one world for one robot, on a shared roadmap that grows when a query needs it.

@@ -8,9 +8,9 @@
 namespace underway {
 namespace {
 
-constexpr double kLongest_m = 4.0;  // looked at to either side of a pose
-constexpr double kStep_m = 0.05;    // between looks along a line
-constexpr double kExact_m = 1e-4;   // to which the end of a free stretch is found
+constexpr double kLongest_m = 12.0;  // looked at to either side of a pose
+constexpr double kStep_m = 0.05;     // between looks along a line
+constexpr double kExact_m = 1e-4;    // to which the end of a free stretch is found
 // A second way through keeps this much more from what it goes under than the margin, for those who want it
 // safest.
 constexpr double kRoom_m = kEnoughClearance_m;
@@ -51,27 +51,25 @@ double Rails::freeWay(const Line& line, double direction, double most_m) const {
   return is_free(most_m) ? most_m : lastFree(0.0, most_m, is_free);
 }
 
-std::vector<Rails::Stretch> Rails::freeStretches(const Line& line, const Switch& change, double begin_m,
-                                                 double end_m) const {
-  const auto is_free = [&](double along) {
-    const Pose pose = line.at(along);
-    return checker_.isFree(
-        switchModes(change, change.to == line.mode ? before(pose, change.displacement) : pose));
-  };
-  std::vector<Stretch> stretches;
-  const auto steps = static_cast<int>(std::ceil((end_m - begin_m) / kStep_m));
-  bool was_free = false;
-  double previous = begin_m;
-  for (int i = 0; i <= steps; ++i) {
-    const double along = std::min(end_m, begin_m + i * kStep_m);
-    const bool free = is_free(along);
-    if (free && !was_free) stretches.push_back({i == 0 ? along : lastFree(along, previous, is_free), along});
-    if (!free && was_free) stretches.back().end_m = lastFree(previous, along, is_free);
-    if (free) stretches.back().end_m = along;
-    was_free = free;
-    previous = along;
+bool Rails::isFreeAt(const Line& line, const Switch& change, double along_m) const {
+  const Pose pose = line.at(along_m);
+  return checker_.isFree(
+      switchModes(change, change.to == line.mode ? before(pose, change.displacement) : pose));
+}
+
+std::optional<double> Rails::nextFree(const Line& line, const Switch& change, double from_m, double direction,
+                                      double most_m) const {
+  bool was_blocked = false;
+  for (double away = 0.0; away <= most_m; away += kStep_m) {
+    const double along = from_m + direction * away;
+    if (!isFreeAt(line, change, along)) {
+      was_blocked = true;
+    } else if (was_blocked) {
+      return lastFree(along, along - direction * kStep_m,
+                      [&](double at) { return isFreeAt(line, change, at); });
+    }
   }
-  return stretches;
+  return std::nullopt;
 }
 
 void Rails::addRoom(ModeId mode, PlaceId place, const Pose& pose, double direction,
@@ -123,23 +121,20 @@ void Rails::addPassage(const Line& line, const Switch& down, const Switch& up, d
 
 std::vector<Rails::PlaceId> Rails::addThrough(ModeId mode, Sense sense, const Pose& pose) {
   const Line line{mode, sense, pose};
-  const double begin = -freeWay(line, -1.0, kLongest_m);
-  const double end = freeWay(line, 1.0, kLongest_m);
+  const double behind = freeWay(line, -1.0, kLongest_m);
+  const double ahead = freeWay(line, 1.0, kLongest_m);
   std::vector<PlaceId> waiting;
   for (const Switch& down : checker_.robot().switches) {
     if (down.to != mode) continue;
-    const std::vector<Stretch> downs = freeStretches(line, down, begin, end);
+    const auto entry = nextFree(line, down, 0.0, -1.0, behind);
+    if (!entry) continue;
     for (const Switch& up : checker_.robot().switches) {
       if (up.from != mode) continue;
-      const std::vector<Stretch> ups = freeStretches(line, up, begin, end);
-      for (const Stretch& entry : downs) {
-        const auto exit =
-            std::find_if(ups.begin(), ups.end(), [&](const Stretch& u) { return u.begin_m > entry.end_m; });
-        if (exit == ups.end()) break;
-        for (const double room : {0.0, kRoom_m})
-          if (entry.end_m - room >= entry.begin_m && exit->begin_m + room <= exit->end_m)
-            addPassage(line, down, up, entry.end_m - room, exit->begin_m + room, waiting);
-      }
+      const auto exit = nextFree(line, up, 0.0, 1.0, ahead);
+      if (!exit) continue;
+      addPassage(line, down, up, *entry, *exit, waiting);
+      if (isFreeAt(line, down, *entry - kRoom_m) && isFreeAt(line, up, *exit + kRoom_m))
+        addPassage(line, down, up, *entry - kRoom_m, *exit + kRoom_m, waiting);
     }
   }
   return waiting;
@@ -147,33 +142,31 @@ std::vector<Rails::PlaceId> Rails::addThrough(ModeId mode, Sense sense, const Po
 
 std::vector<Rails::PlaceId> Rails::addExits(PlaceId place, Sense sense, const Pose& pose) {
   const Line line{draft_.modeOf(place), sense, pose};
-  const double end = freeWay(line, 1.0, kLongest_m);
+  const double ahead = freeWay(line, 1.0, kLongest_m);
   std::vector<PlaceId> waiting;
   for (const Switch& up : checker_.robot().switches) {
     if (up.from != line.mode) continue;
-    for (const Stretch& stretch : freeStretches(line, up, 0.0, end)) {
-      if (stretch.begin_m == 0.0) continue;  // a switch at the place itself is the caller's
-      const Motion crawl = translate(line.mode, sense, pose, stretch.begin_m);
-      if (!checker_.isFree(crawl)) continue;
+    const auto exit = nextFree(line, up, 0.0, 1.0, ahead);
+    if (!exit) continue;
+    const Motion crawl = translate(line.mode, sense, pose, *exit);
+    if (isFreeKeeping(checker_, crawl, draft_.keepOf(place)))
       draft_.addTranslation(place, addExit(up, crawl.to, waiting), pose.yaw, sense);
-    }
   }
   return waiting;
 }
 
 std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, Sense sense, const Pose& pose) {
   const Line line{draft_.modeOf(place), sense, pose};
-  const double begin = -freeWay(line, -1.0, kLongest_m);
+  const double behind = freeWay(line, -1.0, kLongest_m);
   std::vector<PlaceId> waiting;
   for (const Switch& down : checker_.robot().switches) {
     if (down.to != line.mode) continue;
-    for (const Stretch& stretch : freeStretches(line, down, begin, 0.0)) {
-      if (stretch.end_m == 0.0) continue;  // as above
-      const Pose standing = before(line.at(stretch.end_m), down.displacement);
-      const Pose low = line.onIt(compose(standing, down.displacement));
-      if (!checker_.isFree(translate(line.mode, sense, low, pose.position()))) continue;
+    const auto entry = nextFree(line, down, 0.0, -1.0, behind);
+    if (!entry) continue;
+    const Pose standing = before(line.at(*entry), down.displacement);
+    const Pose low = line.onIt(compose(standing, down.displacement));
+    if (isFreeKeeping(checker_, translate(line.mode, sense, low, pose.position()), draft_.keepOf(place)))
       draft_.addTranslation(addEntry(down, standing, low, waiting), place, pose.yaw, sense);
-    }
   }
   return waiting;
 }
@@ -220,6 +213,7 @@ std::vector<Rails::PlaceId> Rails::addWayOut(PlaceId place, Sense sense, const P
 
 std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, ModeId mode) {
   const double low = world.floorZ() + robot.modes[mode].body_m.z.max;
+  const double step = world.floorZ() + robot.modes[mode].step_over_m;
   double high = low;
   for (const Mode& other : robot.modes) high = std::max(high, world.floorZ() + other.body_m.z.max);
   std::vector<std::size_t> overhangs;
@@ -231,7 +225,8 @@ std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, Mo
     const bool hangs = lowest->z > low && lowest->z <= high;
     const bool leans =
         (box.rpy_rad.x != 0.0 || box.rpy_rad.y != 0.0) && highest->z > low && lowest->z <= high;
-    if (hangs || leans) overhangs.push_back(i);
+    const bool is_stepped_over = highest->z < step && highest->z > world.floorZ();
+    if (hangs || leans || is_stepped_over) overhangs.push_back(i);
   }
   return overhangs;
 }

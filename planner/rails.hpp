@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/checker.hpp"
@@ -19,9 +20,9 @@ class Rails {
   Rails(const Checker& checker, Draft& draft, Sites& sites)
       : checker_(checker), draft_(draft), sites_(sites) {}
 
-  /// The line through a free pose of a mode, along one of its senses: goes down as late as it can before each
-  /// low place on it and gets up as early as it can after it. Returns the places of other modes that wait to
-  /// be connected to the rest of the roadmap.
+  /// The line through a free pose of a mode in a low place, along one of its senses: goes down as late as it
+  /// can before it and gets up as early as it can after it. Returns the places of other modes that wait to be
+  /// connected to the rest of the roadmap.
   std::vector<PlaceId> addThrough(ModeId mode, Sense sense, const Pose& pose);
 
   /// From a place in a mode that is on the line already: where it gets up ahead.
@@ -38,15 +39,13 @@ class Rails {
   std::vector<PlaceId> addWayOut(PlaceId place, Sense sense, const Pose& pose);
 
  private:
-  struct Stretch {
-    double begin_m;
-    double end_m;
-  };
   struct Line;
 
-  /// Where along a line a switch is free, between two positions on it, to 0.1 mm.
-  [[nodiscard]] std::vector<Stretch> freeStretches(const Line& line, const Switch& change, double begin_m,
-                                                   double end_m) const;
+  /// The first position where a switch is free, from one where it is not, in a direction (1 or -1) along a
+  /// line, to 0.1 mm; where it is free to begin with, the first one beyond what blocks it next.
+  [[nodiscard]] std::optional<double> nextFree(const Line& line, const Switch& change, double from_m,
+                                               double direction, double most_m) const;
+  [[nodiscard]] bool isFreeAt(const Line& line, const Switch& change, double along_m) const;
   [[nodiscard]] double freeWay(const Line& line, double direction, double most_m) const;
   /// Down at one position on a line, along it, up at another; if that is free.
   void addPassage(const Line& line, const Switch& down, const Switch& up, double entry_m, double exit_m,
@@ -62,8 +61,8 @@ class Rails {
   Sites& sites_;
 };
 
-/// Whether a mode may pass where the first one cannot because it is lower than it: the obstacles that hang
-/// above it.
+/// The obstacles that a mode may pass where another cannot: they hang above its body, lean over it, or are
+/// low enough for it to step over. Indices into the world's obstacles.
 [[nodiscard]] std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, ModeId mode);
 
 }  // namespace underway

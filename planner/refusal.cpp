@@ -12,7 +12,8 @@ namespace {
 constexpr int kHeadings = 72;  // tried at a goal that leaves the heading open
 
 bool isFinite(const Pose& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+  constexpr double kLargestYaw_rad = 1e6;  // beyond, a double no longer holds a heading to 1e-9
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::abs(pose.yaw) <= kLargestYaw_rad;
 }
 
 /// The height a place below an obstacle leaves, 0 if the obstacle stands on the floor [m].
@@ -77,8 +78,9 @@ std::optional<Error> refusal(const Checker& checker, const Request& request) {
   const auto invalid = [](std::string message) {
     return Error{ErrorCode::kInvalidRequest, std::move(message), {}};
   };
-  if (!isFinite(request.start)) return invalid("the start pose must be finite numbers (m, m, rad)");
-  if (!isFinite(goal)) return invalid("the goal must be finite numbers (m, m, rad)");
+  if (!isFinite(request.start))
+    return invalid("the start pose must be finite numbers (m, m, rad), the yaw within 1e6");
+  if (!isFinite(goal)) return invalid("the goal must be finite numbers (m, m, rad), the yaw within 1e6");
   if (request.start_mode >= checker.robot().modes.size())
     return invalid("the start's mode is not one of the robot's");
   if (request.goal_mode >= checker.robot().modes.size())

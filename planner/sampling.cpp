@@ -95,13 +95,13 @@ struct PoseSampler::Space {
     ompl::msg::noOutputHandler();
     auto poses = std::make_shared<ob::SE2StateSpace>();
     poses->setBounds(boundsOf(checker.world()));
-    auto modes =
-        std::make_shared<ob::DiscreteStateSpace>(0, static_cast<int>(checker.robot().modes.size()) - 1);
+    auto modes = std::make_shared<ob::DiscreteStateSpace>(  // of two at least: OMPL refuses a space of one
+        0, std::max(1, static_cast<int>(checker.robot().modes.size()) - 1));
     auto space = std::make_shared<ob::CompoundStateSpace>();
     space->addSubspace(poses, 1.0);
     space->addSubspace(modes, 1.0);
     space->setStateSamplerAllocator([this](const ob::StateSpace* over) {
-      return std::make_shared<AlignedSampler>(over, checker.world(), mode, seed);
+      return std::make_shared<AlignedSampler>(over, checker.world(), mode, seed + samplers++);
     });
     info = std::make_shared<ob::SpaceInformation>(space);
     info->setStateValidityChecker(
@@ -148,6 +148,7 @@ struct PoseSampler::Space {
   ModeId mode;
   std::vector<std::size_t> overhangs;
   std::uint64_t seed;
+  std::uint64_t samplers = 0;  // made so far: each gets a seed of its own
   ob::SpaceInformationPtr info;
   std::unique_ptr<ob::UniformValidStateSampler> uniform;
   std::unique_ptr<ob::GaussianValidStateSampler> gaussian;

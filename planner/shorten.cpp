@@ -51,8 +51,9 @@ class Shortcuts {
     connect();
     const auto roadmap = draft_.freeze(checker_, Draft::Check::kWhenUsed, interrupt);
     if (!roadmap) return route_;
-    Target target{*findNode(*roadmap, stops_.front().places[0], route_.front().from.yaw), here_,
-                  findNode(*roadmap, here_, route_.back().to.yaw), policy_, keeping_.at_least_m};
+    Target target{*findNode(*roadmap, stops_.front().places[0], route_.front().from.yaw), here_, std::nullopt,
+                  policy_, keeping_.at_least_m};
+    if (!keeping_.any_heading) target.goal_node = findNode(*roadmap, here_, route_.back().to.yaw);
     EdgeChecks checks(*roadmap, checker_);
     auto found = search(*roadmap, robot_, checks, target, interrupt);
     return found ? std::move(*found) : route_;
@@ -208,7 +209,7 @@ Route shortened(const Checker& checker, Policy policy, Route route, const Keepin
                 Interrupt& interrupt) {
   route = joined(checker, route);
   const auto improve = [&](double shift_m) {
-    if (route.empty() || interrupt.isDue()) return;
+    if (route.empty() || interrupt.isDueNow()) return;
     Route next = joined(checker, Shortcuts(checker, policy, route, keeping, shift_m).best(interrupt));
     if (costOf(checker.robot(), policy, next) < costOf(checker.robot(), policy, route))
       route = std::move(next);
