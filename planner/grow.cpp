@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
 
+#include "geometry/sweep.hpp"
 #include "planner/draft.hpp"
+#include "planner/gaps.hpp"
 #include "planner/rails.hpp"
 #include "planner/sampling.hpp"
 #include "planner/sites.hpp"
@@ -17,7 +21,8 @@ using PlaceId = Draft::PlaceId;
 using Kind = PoseSampler::Kind;
 
 constexpr unsigned kSitesPerBatch = 24;
-constexpr unsigned kLinesPerBatch = 12;  // for each mode that is lower or narrower than the first
+constexpr unsigned kLinesPerBatch = 12;  // for each mode that is lower than the first
+constexpr unsigned kLooksPerBatch = 60;  // across gaps, for each narrower mode: most see none
 constexpr std::size_t kNeighbours = 14;
 constexpr unsigned kProbes = 2000;  // poses drawn to see how much floor is free
 
@@ -40,6 +45,11 @@ double narrowestStrip(const Mode& mode) {
   for (const Sense sense : kSenses)
     if (mode.canMove(sense)) narrowest = std::min(narrowest, strip(mode, sense));
   return narrowest;
+}
+
+/// The heading at which a mode moves along a gap: its sense at a right angle to the direction across.
+double headingAlong(const Gaps::Gap& gap, Sense sense) {
+  return normalizedAngle(gap.across_rad + 0.5 * std::numbers::pi - angleOf(sense));
 }
 
 struct Located {
@@ -73,6 +83,9 @@ struct Growth::State {
       near[mode].setDistanceFunction(apart);
       if (!standing && robot.modes[mode].canTurn()) standing = mode;
     }
+    if (!standing) return;
+    const Range slab = slabOf(robot, stay(*standing, {}), checker.world().floorZ());
+    gaps.emplace(checker.world(), slab, narrowestStrip(robot.modes[*standing]) + 4.0 * robot.margin_m);
   }
 
   /// Connects places to their neighbours, and makes them neighbours of those to come.
@@ -114,17 +127,19 @@ struct Growth::State {
 
   void addNarrowLines(std::uint32_t batch, ModeId mode) {
     const Mode& moving = checker.robot().modes[mode];
-    if (!standing || !moving.canTurn() ||
+    if (!gaps || !moving.canTurn() ||
         narrowestStrip(moving) >= narrowestStrip(checker.robot().modes[*standing]))
       return;
-    PoseSampler sampler(checker, mode, {}, seedOf(settings.seed, batch, 100U + mode));
-    for (unsigned i = 0; i < kLinesPerBatch; ++i) {
-      const auto pose = sampler.sample(Kind::kBridge);
-      if (!pose) continue;
-      for (const Sense sense : {Sense::kForward, Sense::kLeft})
-        if ((moving.canMove(sense) || moving.canMove(opposite(sense))) &&
-            strip(moving, sense) <= narrowestStrip(moving))
-          settle(rails.addNarrow(mode, sense, *pose));
+    std::mt19937_64 random(seedOf(settings.seed, batch, 100U + mode));
+    for (unsigned i = 0; i < kLooksPerBatch; ++i) {
+      const auto gap = gaps->draw(random);
+      if (!gap || gap->width_m < narrowestStrip(moving) + 2.0 * checker.robot().margin_m) continue;
+      for (const Sense sense : {Sense::kForward, Sense::kLeft}) {
+        if (!moving.canMove(sense) && !moving.canMove(opposite(sense))) continue;
+        if (strip(moving, sense) > narrowestStrip(moving)) continue;
+        const Pose pose{gap->middle.x, gap->middle.y, headingAlong(*gap, sense)};
+        if (checker.isFree(stay(mode, pose))) settle(rails.addNarrow(mode, sense, pose));
+      }
     }
   }
 
@@ -136,6 +151,7 @@ struct Growth::State {
   std::vector<ompl::NearestNeighborsGNAT<Located>> near;  // by mode
   std::vector<std::vector<std::size_t>> overhangs;        // by mode
   std::optional<ModeId> standing;                         // the first mode that turns: sites are drawn for it
+  std::optional<Gaps> gaps;                               // that the standing mode does not fit through
   std::uint32_t batches = 0;
 };
 

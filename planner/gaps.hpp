@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "geometry/world.hpp"
+
+namespace underway {
+
+/// Finds gaps between obstacles: drawing poses at random rarely hits a narrow passage, looking across from a
+/// face of an obstacle to what stands opposite does. Tilted boxes are left out; sampling finds their gaps.
+class Gaps {
+ public:
+  /// A gap's middle, and the direction across it [rad].
+  struct Gap {
+    Point middle;
+    double across_rad = 0.0;
+    double width_m = 0.0;
+  };
+
+  /// Between obstacles that reach into a slab of heights [m], up to a width.
+  Gaps(const World& world, Range slab, double widest_m);
+
+  /// What lies opposite a random point of a random obstacle's outline; none if nothing does, or it touches.
+  [[nodiscard]] std::optional<Gap> draw(std::mt19937_64& random) const;
+
+ private:
+  struct Footprint {
+    Pose frame;  ///< middle and direction
+    double half_x;
+    double half_y;
+  };
+  [[nodiscard]] static Point pointIn(const Pose& frame, double x, double y);
+  [[nodiscard]] bool isOver(Point point) const;
+  [[nodiscard]] std::size_t cellAt(Point point) const;
+  [[nodiscard]] double wayTo(const Footprint& footprint, Point from, double direction_rad) const;
+
+  double widest_m_;
+  Pose corner_;  // of the bucket grid, over the bounds
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  std::vector<Footprint> footprints_;
+  std::vector<std::vector<std::uint32_t>>
+      cells_;  // footprints within the widest gap of each cell, of that size
+};
+
+}  // namespace underway
