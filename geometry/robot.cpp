@@ -15,7 +15,9 @@ constexpr double kSlowest = 1e-4;  // [m/s], [rad/s]: slower is no movement, and
 
 bool isAtLeast(double value, double least) { return std::isfinite(value) && value >= least; }
 bool isSpeed(double value) { return value == 0.0 || isAtLeast(value, kSlowest); }
-bool holds(Range outer, Range inner) { return outer.min <= inner.min + 1e-9 && outer.max >= inner.max - 1e-9; }
+bool holds(Range outer, Range inner) {
+  return outer.min <= inner.min + 1e-9 && outer.max >= inner.max - 1e-9;
+}
 
 /// What is wrong with a body, or nothing.
 std::string faultOf(const BodyBox& body) {
@@ -71,9 +73,12 @@ std::string faultOf(const Switch& change, const Robot& robot) {
   if (!std::isfinite(by.x) || !std::isfinite(by.y) || !std::isfinite(by.yaw))
     return "displacement must be finite";
   if (const std::string fault = faultOf(change.body_m); !fault.empty()) return fault;
-  const BodyBox both = hullOfBoth(change, robot);
-  if (!holds(change.body_m.x, both.x) || !holds(change.body_m.y, both.y) || !holds(change.body_m.z, both.z))
-    return "body_m must cover the whole motion, at least the body before it and the body after it";
+  // What the box covers in between is the file's word; this much can be seen to be wrong.
+  const bool holds_way = holds(change.body_m.x, hull({0.0, 0.0}, {by.x, by.x})) &&
+                         holds(change.body_m.y, hull({0.0, 0.0}, {by.y, by.y}));
+  if (!holds_way || !holds(change.body_m.z, hullOfBoth(change, robot).z))
+    return "body_m must cover the whole motion: the way of the displacement, at the height of both modes' "
+           "bodies";
   return {};
 }
 

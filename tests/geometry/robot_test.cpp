@@ -39,6 +39,8 @@ TEST(CheckedRobot, RefusesEachFaultWithItsPlace) {
   says(refusalAfter([](Robot& r) { r.modes[2].step_over_m = 0.3; }), "step_over_m");
   says(refusalAfter([](Robot& r) { r.switches[0].duration_s = -1.0; }),
        "switch walk -> sidestep: duration_s");
+  says(refusalAfter([](Robot& r) { r.switches[2].body_m.x = {-0.13, 0.29}; }), "cover the whole motion");
+  says(refusalAfter([](Robot& r) { r.switches[2].body_m.z.max = 0.5; }), "cover the whole motion");
   says(refusalAfter([](Robot& r) { r.switches[0].to = 9; }), "does not exist");
   says(refusalAfter([](Robot& r) { r.switches[1] = r.switches[0]; }), "walk -> sidestep is given twice");
   says(refusalAfter([](Robot& r) { r.modes.resize(kMaxModes + 1, r.modes[0]); }), "at most 5");
