@@ -15,6 +15,7 @@ namespace {
 using PlaceId = Draft::PlaceId;
 
 constexpr std::size_t kNeighbours = 16;
+constexpr std::size_t kAllNeighbours = 64;       // with all effort: the nearest may all be behind a wall
 constexpr std::size_t kNeighboursOfHelpers = 8;  // of places added to get out of a tight spot or off a line
 constexpr std::array kGrid_m{-1.2, -0.8, -0.5, -0.3, -0.15, -0.06, 0.0, 0.06, 0.15, 0.3, 0.5, 0.8, 1.2};
 constexpr double kSamePlace_m = 1e-6;
@@ -46,7 +47,7 @@ class Attachment {
     End start = startOf(request);
     End goal = goalOf(request, start);
     for (End* end : {&start, &goal}) {
-      connectToRoadmap(end->places, kNeighbours);
+      connectToRoadmap(end->places, effort == Effort::kNearest ? kNeighbours : kAllNeighbours);
       leaveTightPlace(*end);
       followLine(*end);
       changeMode(*end);
@@ -134,8 +135,11 @@ class Attachment {
     for (const PlaceId place : places) {
       const ModeId mode = draft_.modeOf(place);
       if (!robot_.modes[mode].canTurn()) continue;
-      for (const PlaceId neighbour : base_->index.nearest(mode, draft_.positionOf(place), most))
-        sites_.connect(place, neighbour);
+      std::vector<PlaceId> neighbours = base_->main_index.nearest(mode, draft_.positionOf(place), most);
+      for (const PlaceId other : base_->index.nearest(mode, draft_.positionOf(place), most))
+        if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
+          neighbours.push_back(other);
+      for (const PlaceId neighbour : neighbours) sites_.connect(place, neighbour);
     }
   }
 

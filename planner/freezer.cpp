@@ -33,6 +33,7 @@ std::optional<Roadmap> Freezer::freeze() {
   addTurns();
   if (interrupt_.isDue()) return std::nullopt;
   pack();
+  if (!roadmap_.base) indexPlaces();
   return std::move(roadmap_);
 }
 
@@ -49,7 +50,6 @@ void Freezer::shareHeadingsOfTwins() {
 void Freezer::addNodes() {
   const NodeId first = roadmap_.baseNodes();
   const auto next = [&] { return first + static_cast<NodeId>(roadmap_.nodes.size()); };
-  std::vector<PlaceIndex::Entry> entries;
   for (std::size_t i = 0; i < draft_.own_.size(); ++i) {
     Roadmap::Place place = draft_.own_[i].place;
     const auto id = draft_.first_own_ + static_cast<PlaceId>(i);
@@ -58,7 +58,6 @@ void Freezer::addNodes() {
       roadmap_.nodes.push_back({{place.at.x, place.at.y, yaw}, place.mode, id});
     place.end_node = next();
     roadmap_.places.push_back(place);
-    entries.push_back({place.at, place.mode, id});
   }
   for (const auto& [id, headings] : draft_.base_headings_) added_to_base_[id];
   for (auto& [id, nodes] : added_to_base_) {  // by number: the same order every time
@@ -73,7 +72,6 @@ void Freezer::addNodes() {
       roadmap_.nodes.push_back({{place.at.x, place.at.y, yaw}, place.mode, id});
     }
   }
-  roadmap_.index = PlaceIndex(std::move(entries));
 }
 
 std::vector<Roadmap::NodeId> Freezer::ringOf(PlaceId id) const {
@@ -173,6 +171,36 @@ void Freezer::pack() {
     else
       roadmap_.edges_from_base[out.from].push_back(out.edge);
   }
+}
+
+std::vector<std::uint32_t> Freezer::sizesOfParts() const {
+  std::vector<PlaceId> parent(roadmap_.places.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root_of = [&](PlaceId place) {
+    while (parent[place] != place) place = parent[place] = parent[parent[place]];
+    return place;
+  };
+  for (const Outgoing& out : outgoing_)
+    parent[root_of(roadmap_.node(out.from).place)] = root_of(roadmap_.node(out.edge.to).place);
+  std::vector<std::uint32_t> count(parent.size(), 0);
+  for (PlaceId place = 0; place < parent.size(); ++place) ++count[root_of(place)];
+  std::vector<std::uint32_t> sizes(parent.size());
+  for (PlaceId place = 0; place < parent.size(); ++place) sizes[place] = count[root_of(place)];
+  return sizes;
+}
+
+void Freezer::indexPlaces() {
+  constexpr std::uint32_t kSmallPart = 40;
+  const std::vector<std::uint32_t> sizes = sizesOfParts();
+  std::vector<PlaceIndex::Entry> all;
+  std::vector<PlaceIndex::Entry> in_large_parts;
+  for (PlaceId id = 0; id < roadmap_.places.size(); ++id) {
+    const Roadmap::Place& place = roadmap_.places[id];
+    all.push_back({place.at, place.mode, id});
+    if (sizes[id] >= kSmallPart) in_large_parts.push_back(all.back());
+  }
+  roadmap_.index = PlaceIndex(std::move(all));
+  roadmap_.main_index = PlaceIndex(std::move(in_large_parts));
 }
 
 }  // namespace underway

@@ -33,6 +33,9 @@ class Freezer {
   void addBothTurns(NodeId a, NodeId b, bool turns_freely);
   void addSwitch(NodeId from, NodeId to);
   void pack();
+  void indexPlaces();
+  /// For each own place, how many places are joined with it, taking edges both ways.
+  [[nodiscard]] std::vector<std::uint32_t> sizesOfParts() const;
   /// Keeps an edge unless it is to be checked now and is not free.
   void keepIfFree(NodeId from, Roadmap::Edge edge);
 

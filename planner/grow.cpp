@@ -23,8 +23,9 @@ using Kind = PoseSampler::Kind;
 constexpr unsigned kSitesPerBatch = 24;
 constexpr unsigned kLinesPerBatch = 12;  // for each mode that is lower than the first
 constexpr unsigned kLooksPerBatch = 60;  // across gaps, for each narrower mode: most see none
-constexpr std::size_t kNeighbours = 14;
-constexpr unsigned kProbes = 2000;  // poses drawn to see how much floor is free
+constexpr double kNarrow_m = 0.25;       // a gap with less room than this beside the standing body is narrow
+constexpr std::size_t kNeighbours = 64;  // looked at; Sites::connectAround tries few of them
+constexpr unsigned kProbes = 2000;       // poses drawn to see how much floor is free
 
 /// A seed for one use of one batch, spread by splitmix64.
 std::uint64_t seedOf(std::uint64_t seed, std::uint64_t batch, std::uint64_t use) {
@@ -85,7 +86,7 @@ struct Growth::State {
     }
     if (!standing) return;
     const Range slab = slabOf(robot, stay(*standing, {}), checker.world().floorZ());
-    gaps.emplace(checker.world(), slab, narrowestStrip(robot.modes[*standing]) + 4.0 * robot.margin_m);
+    gaps.emplace(checker.world(), slab, narrowestStrip(robot.modes[*standing]) + kNarrow_m);
   }
 
   /// Connects places to their neighbours, and makes them neighbours of those to come.
@@ -128,7 +129,7 @@ struct Growth::State {
   void addNarrowLines(std::uint32_t batch, ModeId mode) {
     const Mode& moving = checker.robot().modes[mode];
     if (!gaps || !moving.canTurn() ||
-        narrowestStrip(moving) >= narrowestStrip(checker.robot().modes[*standing]))
+        narrowestStrip(moving) > narrowestStrip(checker.robot().modes[*standing]))
       return;
     std::mt19937_64 random(seedOf(settings.seed, batch, 100U + mode));
     for (unsigned i = 0; i < kLooksPerBatch; ++i) {

@@ -53,6 +53,8 @@ struct Roadmap {
   std::vector<std::uint32_t> first_edge;  ///< of each node; one more at the end
   std::uint32_t batches = 0;              ///< of growth it holds
   PlaceIndex index;                       ///< finds places by position
+  PlaceIndex
+      main_index;  ///< the same, without small parts that nothing joins to the rest: pockets in clutter
 
   std::shared_ptr<const Roadmap> base;                            ///< what it lies over, if anything
   std::unordered_map<NodeId, std::vector<Edge>> edges_from_base;  ///< that leave the base's nodes

@@ -9,6 +9,9 @@ namespace {
 // A neighbour hidden behind a connected nearer one adds little: one connection in each cone of this
 // half-angle.
 constexpr double kCone_rad = 0.35;
+// Where places crowd on the far side of a wall, the nearest ones lead nowhere: those after these are tried as
+// well, if they belong to another part of the roadmap.
+constexpr std::size_t kNeighbours = 14;
 // Off the axis by less than this, a place counts as straight ahead (formats: 'along the sense's axis to
 // 1e-9').
 constexpr double kOffAxis_m = 1e-10;
@@ -93,6 +96,7 @@ bool Sites::connect(PlaceId a, PlaceId b) {
 
 void Sites::connectAround(PlaceId place, std::span<const PlaceId> neighbours) {
   std::vector<double> taken;
+  std::size_t tried = 0;
   const Point from = draft_.positionOf(place);
   for (const PlaceId neighbour : neighbours) {
     const Point to = draft_.positionOf(neighbour);
@@ -100,7 +104,9 @@ void Sites::connectAround(PlaceId place, std::span<const PlaceId> neighbours) {
     const bool is_hidden = std::any_of(taken.begin(), taken.end(), [&](double other) {
       return std::abs(normalizedAngle(other - direction)) < kCone_rad;
     });
-    if (is_hidden && draft_.areJoined(place, neighbour)) continue;
+    const bool is_needless = is_hidden || tried >= kNeighbours;
+    if (is_needless && draft_.areJoined(place, neighbour)) continue;
+    ++tried;
     if (connect(place, neighbour)) taken.push_back(direction);
   }
 }
