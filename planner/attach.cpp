@@ -198,29 +198,35 @@ class Attachment {
     }
   }
 
-  /// Switches that move the robot, right at the start or right into the goal.
+  /// Switches out of the start's mode right there, and into the goal's; those between companions are theirs
+  /// already. A goal that leaves its heading open needs this only if its mode cannot turn: else it turns to
+  /// where a switch is.
   void changeMode(const End& end) {
-    if (!end.has_heading) return;
-    const double keep = draft_.keepOf(end.places[0]);
+    if (!end.has_heading && robot_.modes[end.mode].canTurn()) return;
     const std::vector<ModeId> companions = companionsOf(robot_)[end.mode];
     for (const Switch& change : robot_.switches) {
       const bool is_start = end.side == End::Side::kStart;
       if ((is_start ? change.from : change.to) != end.mode) continue;
       const ModeId other_mode = is_start ? change.to : change.from;
       if (std::find(companions.begin(), companions.end(), other_mode) != companions.end()) continue;
-      const Pose other =
-          is_start ? compose(end.pose, change.displacement) : before(end.pose, change.displacement);
-      if (!isFreeKeeping(checker_, switchModes(change, is_start ? end.pose : other), keep)) continue;
-      const ModeId mode = is_start ? change.to : change.from;
-      const bool is_here = other.position() == end.pose.position();
-      const auto places = sites_.add(mode, other.position(), is_here ? keep : robot_.margin_m);
-      if (is_start)
-        draft_.addSwitch(end.places[0], end.pose.yaw, places[0], other.yaw);
-      else
-        draft_.addSwitch(places[0], other.yaw, end.places[0], end.pose.yaw);
-      connectToRoadmap(places, kNeighboursOfHelpers);
-      followLine(end.side, places[0], other);
+      for (const Pose& pose : posesOf(end)) changeMode(end, pose, change);
     }
+  }
+
+  void changeMode(const End& end, const Pose& pose, const Switch& change) {
+    const bool is_start = end.side == End::Side::kStart;
+    const double keep = draft_.keepOf(end.places[0]);
+    const Pose other = is_start ? compose(pose, change.displacement) : before(pose, change.displacement);
+    if (!isFreeKeeping(checker_, switchModes(change, is_start ? pose : other), keep)) return;
+    const bool is_here = other.position() == pose.position();
+    const auto places =
+        sites_.add(is_start ? change.to : change.from, other.position(), is_here ? keep : robot_.margin_m);
+    if (is_start)
+      draft_.addSwitch(end.places[0], pose.yaw, places[0], other.yaw);
+    else
+      draft_.addSwitch(places[0], other.yaw, end.places[0], pose.yaw);
+    connectToRoadmap(places, kNeighboursOfHelpers);
+    followLine(end.side, places[0], other);
   }
 
   /// Straight from start to goal, in every mode both have.

@@ -107,8 +107,8 @@ TEST_P(CheckerProperty, TheJudgeConfirmsEveryClearanceAndRejectsAMillimetreMore)
 
 TEST_P(CheckerProperty, MovingAndTurningWorldAndMotionTogetherChangesNoAnswer) {
   const Pose by{random.between(-5.0, 5.0), random.between(-5.0, 5.0), random.angle()};
-  std::vector<Obstacle> obstacles;
-  for (Obstacle obstacle : random.world(12, false)->obstacles()) obstacles.push_back(obstacle);
+  const auto crowded = random.world(12, false);
+  std::vector<Obstacle> obstacles = crowded->obstacles();
   const auto world_here =
       std::make_shared<const World>(*World::make("here", {{-20, -20, 0}, 40, 40}, 0.0, obstacles));
   for (Obstacle& obstacle : obstacles) {

@@ -1,0 +1,64 @@
+#include "planner/gaps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace underway {
+namespace {
+
+World roomWith(std::vector<Obstacle> obstacles, Pose corner = {}) {
+  return *World::make("room", {corner, 6, 4}, 0.0, std::move(obstacles));
+}
+
+constexpr Range kSlab{0.005, 0.585};
+
+TEST(Gaps, FindsTheMiddleOfAPassageAndTheWayAcross) {
+  // A wall along y with a gap from y = 1.83 to 2.17.
+  const World world = roomWith({{"south", {{4.0, 0.915, 0.5}, {0.2, 1.83, 1.0}, {}}},
+                                {"north", {{4.0, 3.085, 0.5}, {0.2, 1.83, 1.0}, {}}}});
+  const Gaps dut(world, kSlab, 0.5);
+  std::mt19937_64 random(1);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto gap = dut.draw(random);
+    if (!gap) continue;
+    ++found;
+    EXPECT_NEAR(gap->width_m, 0.34, 1e-9);
+    EXPECT_NEAR(gap->middle.y, 2.0, 1e-9);
+    EXPECT_NEAR(std::abs(gap->across_rad), 1.5707963267948966, 1e-9);
+    EXPECT_LE(std::abs(gap->middle.x - 4.0), 0.1);
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(Gaps, FindsTheSameInAMapThatIsTurned) {
+  const Pose corner{-3.0, 7.0, 2.0};
+  const auto placed = [&](double x, double y) {
+    const Point at = transform(corner, {x, y});
+    return OrientedBox{{at.x, at.y, 0.5}, {0.2, 1.83, 1.0}, {0.0, 0.0, corner.yaw}};
+  };
+  const Gaps dut(roomWith({{"south", placed(4.0, 0.915)}, {"north", placed(4.0, 3.085)}}, corner), kSlab,
+                 0.5);
+  std::mt19937_64 random(1);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i)
+    if (const auto gap = dut.draw(random)) {
+      ++found;
+      EXPECT_NEAR(gap->width_m, 0.34, 1e-9);
+    }
+  EXPECT_GT(found, 100);
+}
+
+TEST(Gaps, LooksPastWhatDoesNotReachIntoTheSlabAndNotFurtherThanTheWidest) {
+  std::mt19937_64 random(1);
+  const Obstacle wall{"wall", {{3.0, 2.0, 0.5}, {0.2, 2.0, 1.0}, {}}};
+  const Obstacle shelf{"shelf", {{3.4, 2.0, 0.9}, {0.2, 2.0, 0.2}, {}}};   // hangs above the slab
+  const Obstacle far_wall{"far", {{5.0, 2.0, 0.5}, {0.2, 2.0, 1.0}, {}}};  // 1.8 m on
+  const Gaps dut(roomWith({wall, shelf, far_wall}), kSlab, 0.6);
+  for (int i = 0; i < 1000; ++i) ASSERT_FALSE(dut.draw(random).has_value());
+  EXPECT_FALSE(Gaps(roomWith({}), kSlab, 0.6).draw(random).has_value());
+}
+
+}  // namespace
+}  // namespace underway
