@@ -30,8 +30,8 @@ Object objectOf(const OrientedBox& box) {
   return {shape, placed(box.center_m, rotation(box))};
 }
 
-/// A prism as FCL's box, a hair higher and lower: a box that ends flush with the slab counts as touching here, as it
-/// does in the layers, however FCL rounds.
+/// A prism as FCL's box, a hair higher and lower: a box that ends flush with the slab counts as touching
+/// here, as it does in the layers, however FCL rounds.
 Object objectOf(const Prism& prism) {
   const Point middle =
       transform(prism.frame, {0.5 * (prism.x.min + prism.x.max), 0.5 * (prism.y.min + prism.y.max)});
@@ -46,12 +46,11 @@ bool collide(const Object& a, const Object& b) {
   return fcl::collide(&a, &b, kBoolean, result) > 0;
 }
 
-std::size_t indexOf(const Object& obstacle) { return reinterpret_cast<std::size_t>(obstacle.getUserData()); }
-
 /// What a walk through the tree carries along. FCL does not promise which of the two objects is the query.
 struct Walk {
   const Object* query;
-  bool exact;  // test the shapes, not only their axis-aligned boxes
+  const Object* first;  // of the obstacles, which lie in a row
+  bool exact;           // test the shapes, not only their axis-aligned boxes
   const FclScene::Visit* visit;
 };
 
@@ -59,7 +58,7 @@ bool step(Object* a, Object* b, void* data) {
   const Walk& walk = *static_cast<const Walk*>(data);
   const Object& obstacle = a == walk.query ? *b : *a;
   if (walk.exact && !collide(*walk.query, obstacle)) return false;
-  return (*walk.visit)(indexOf(obstacle));
+  return (*walk.visit)(static_cast<std::size_t>(&obstacle - walk.first));
 }
 
 }  // namespace
@@ -69,7 +68,7 @@ struct FclScene::Tree {
   fcl::DynamicAABBTreeCollisionManagerd manager;
 
   void walk(Object query, bool exact, const Visit& visit) const {
-    Walk data{&query, exact, &visit};
+    Walk data{&query, obstacles.data(), exact, &visit};
     manager.collide(&query, &data, step);
   }
 };
@@ -79,7 +78,6 @@ FclScene::FclScene(const World& world) : tree_(std::make_unique<Tree>()) {
   std::vector<Object*> all;
   for (const Obstacle& obstacle : world.obstacles()) {
     Object& object = tree_->obstacles.emplace_back(objectOf(obstacle.box));
-    object.setUserData(reinterpret_cast<void*>(all.size()));
     all.push_back(&object);
   }
   tree_->manager.registerObjects(all);

@@ -46,9 +46,10 @@ class Draft {
   /// new one.
   [[nodiscard]] std::optional<double> headingNear(PlaceId place, double yaw, double tolerance_rad) const;
 
+  /// When connections are checked: before the roadmap is made, or by the search that wants to use them.
   enum class Check { kNow, kWhenUsed };
-  /// The roadmap. Translations are taken as they were added (their `checked` says how); turns and switches
-  /// are checked now and left out if they are not free, or left to the search. Empty when interrupted.
+  /// The roadmap. With kNow whoever added a translation has checked it, and turns and switches are checked
+  /// here and left out if they are not free; with kWhenUsed nothing is. Empty when interrupted.
   [[nodiscard]] std::optional<Roadmap> freeze(const Checker& checker, Check check,
                                               Interrupt& interrupt) const;
 

@@ -56,7 +56,8 @@ class Shortcuts {
     if (!keeping_.any_heading) target.goal_node = findNode(*roadmap, here_, route_.back().to.yaw);
     EdgeChecks checks(*roadmap, checker_);
     auto found = search(*roadmap, robot_, checks, target, interrupt);
-    return found ? std::move(*found) : route_;
+    if (!found) return route_;
+    return std::move(*found);
   }
 
  private:

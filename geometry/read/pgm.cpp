@@ -70,7 +70,7 @@ Expected<ImageFormat> readHeader(Reader& reader, bool is_binary, const std::stri
     return refuse("is cut short: " + std::to_string(*width) + " x " + std::to_string(*height) +
                   " pixels need " + std::to_string(needed) + " bytes after the header, found " +
                   std::to_string(reader.rest().size()));
-  if (kSpace.find(reader.rest().front()) == kSpace.npos)
+  if (kSpace.find(reader.rest().front()) == std::string_view::npos)
     return refuse("white space must follow the PGM header");
   reader.skip(1);  // just this one: in a binary PGM the next byte is a sample, whatever it looks like
   return ImageFormat{*width, *height, 1, *max};
@@ -93,8 +93,8 @@ Expected<void> decodePgm(std::string_view bytes, const std::string& file, const 
                               ? binarySample(raster, std::size_t{y} * format->width + x, format->max > 255)
                               : reader.number();
       const auto refuse = [&](const std::string& what) {
-        return fail(ErrorCode::kInvalidMap,
-                    file + ": pixel " + std::to_string(x) + " of row " + std::to_string(y) + " is " + what);
+        const std::string where = file + ": pixel " + std::to_string(x) + " of row " + std::to_string(y);
+        return fail(ErrorCode::kInvalidMap, where + " is " + what);
       };
       if (!sample) return refuse("not a number, or the file is cut short there");
       if (*sample > format->max)
