@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "tests/apps/program.hpp"
 
@@ -50,6 +51,8 @@ struct FileCase {
 };
 
 void PrintTo(const FileCase& tested, std::ostream* out) { *out << tested.name; }
+
+void PrintTo(const FileCase& file, std::ostream* out) { *out << file.name; }
 
 /// The case's name, for the test's.
 struct CaseName {
@@ -146,6 +149,8 @@ struct FlagCase {
   std::vector<std::string> words;
   std::string about;
 };
+
+void PrintTo(const FlagCase& flags, std::ostream* out) { *out << flags.name; }
 
 void PrintTo(const FlagCase& tested, std::ostream* out) { *out << tested.name; }
 

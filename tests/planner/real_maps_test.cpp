@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <numbers>
+#include <ostream>
 #include <random>
 
 #include "tests/planner/fixture.hpp"
@@ -15,6 +16,8 @@ struct RealMap {
   const char* file;  // below shared/maps/maps2d
   MapOptions options;
 };
+
+void PrintTo(const RealMap& map, std::ostream* out) { *out << map.file; }
 
 MapOptions image(double resolution_m, double occupied, double free) {
   MapOptions options;
