@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "tests/apps/program.hpp"
 
@@ -51,8 +50,6 @@ struct FileCase {
 };
 
 void PrintTo(const FileCase& tested, std::ostream* out) { *out << tested.name; }
-
-void PrintTo(const FileCase& file, std::ostream* out) { *out << file.name; }
 
 /// The case's name, for the test's.
 struct CaseName {
@@ -149,8 +146,6 @@ struct FlagCase {
   std::vector<std::string> words;
   std::string about;
 };
-
-void PrintTo(const FlagCase& flags, std::ostream* out) { *out << flags.name; }
 
 void PrintTo(const FlagCase& tested, std::ostream* out) { *out << tested.name; }
 
