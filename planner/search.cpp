@@ -45,11 +45,11 @@ double highestSpeed(const Robot& robot) {
 
 bool EdgeChecks::isFree(Roadmap::NodeId from, const Roadmap::Edge& edge, double at_least_m) {
   if (edge.checked && at_least_m <= checker_.robot().margin_m) return true;
-  if (at_least_m != at_least_m_) known_.clear();
-  at_least_m_ = at_least_m;
-  const auto [entry, is_new] = known_.try_emplace(&edge, false);
-  if (is_new) entry->second = underway::isFree(roadmap_, checker_, from, edge, at_least_m);
-  return entry->second;
+  Known& known = known_[&edge];
+  if (at_least_m > known.free_at_m && at_least_m < known.blocked_at_m)
+    (underway::isFree(roadmap_, checker_, from, edge, at_least_m) ? known.free_at_m : known.blocked_at_m) =
+        at_least_m;
+  return at_least_m <= known.free_at_m;
 }
 
 TimeBound::TimeBound(const Robot& robot, Point goal, ModeId goal_mode)

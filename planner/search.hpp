@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -22,8 +23,12 @@ class EdgeChecks {
  private:
   const Roadmap& roadmap_;
   const Checker& checker_;
-  double at_least_m_ = 0.0;  // that the memory is about
-  std::unordered_map<const Roadmap::Edge*, bool> known_;
+  /// What is free with a clearance is free with less, what is blocked is blocked with more.
+  struct Known {
+    double free_at_m = -1.0;
+    double blocked_at_m = std::numeric_limits<double>::infinity();
+  };
+  std::unordered_map<const Roadmap::Edge*, Known> known_;
 };
 
 /// What a search is to find.
