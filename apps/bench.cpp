@@ -1,10 +1,10 @@
 #include <memory>
 
 #include "apps/commands.hpp"
+#include "apps/deliver.hpp"
 #include "apps/inputs.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
-#include "apps/text_file.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -48,12 +48,7 @@ ExitCode run(const Arguments& arguments) {
     complain(report.error().message);
     return ExitCode::kOther;
   }
-  const std::string json = bench::toJson(*report);
-  Expected<void> written = writeOutput(arguments.json == "-" ? json : tableOf(*report));
-  if (written && !arguments.json.empty() && arguments.json != "-") written = writeText(arguments.json, json);
-  if (written) return ExitCode::kDone;
-  complain(written.error().message);
-  return ExitCode::kOther;
+  return deliverFigures(tableOf(*report), bench::toJson(*report), arguments.json);
 }
 
 }  // namespace

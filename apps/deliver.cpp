@@ -59,4 +59,13 @@ ExitCode deliver(const PlanDocument& document, const OutputArguments& output,
   return document.answer ? ExitCode::kDone : exitCodeOf(document.answer.error().code);
 }
 
+ExitCode deliverFigures(const std::string& table, const std::string& json, const std::string& json_file) {
+  const bool only_json = json_file == "-";
+  Expected<void> written = writeOutput(only_json ? json : table);
+  if (written && !only_json && !json_file.empty()) written = writeText(json_file, json);
+  if (written) return ExitCode::kDone;
+  complain(written.error().message);
+  return ExitCode::kOther;
+}
+
 }  // namespace underway

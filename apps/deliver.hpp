@@ -24,4 +24,9 @@ void setRequest(const Request& request, const Robot& robot, PlanDocument& docume
 [[nodiscard]] ExitCode deliver(const PlanDocument& document, const OutputArguments& output,
                                const std::function<std::string()>& draw);
 
+/// Writes what a command found out: the JSON to a file, if one is named, and the table to standard output;
+/// only the JSON there if the file is "-".
+[[nodiscard]] ExitCode deliverFigures(const std::string& table, const std::string& json,
+                                      const std::string& json_file);
+
 }  // namespace underway

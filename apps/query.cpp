@@ -2,11 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/deliver.hpp"
 #include "apps/inputs.hpp"
 #include "apps/plan_table.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
-#include "apps/text_file.hpp"
 
 namespace underway {
 namespace {
@@ -106,13 +106,7 @@ ExitCode run(const Arguments& arguments) {
   std::vector<Judgement> judgements;
   for (std::size_t mode = 0; mode < site->robot->modes.size(); ++mode)
     judgements.push_back(judge(checker, static_cast<ModeId>(mode), *arguments.pose));
-  const std::string json = jsonOf(checker, *arguments.pose, judgements);
-  const std::string text = arguments.json == "-" ? json : tableOf(judgements);
-  Expected<void> written = writeOutput(text);
-  if (written && !arguments.json.empty() && arguments.json != "-") written = writeText(arguments.json, json);
-  if (written) return ExitCode::kDone;
-  complain(written.error().message);
-  return ExitCode::kOther;
+  return deliverFigures(tableOf(judgements), jsonOf(checker, *arguments.pose, judgements), arguments.json);
 }
 
 }  // namespace
