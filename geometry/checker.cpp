@@ -2,185 +2,230 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "geometry/fcl_scene.hpp"
+#include "geometry/headroom.hpp"
 #include "geometry/judge.hpp"
 #include "geometry/layer.hpp"
-#include "geometry/turn_minimum.hpp"
+#include "geometry/turning.hpp"
 
 namespace underway {
 namespace {
 
-constexpr double kTurnContact_m = 1e-4;  // a turn is refused when it may come this close to contact
-constexpr double kAnyHeight_m = 1e6;
+bool isTurning(const Motion& motion) { return motion.kind == MotionKind::kTurn && motion.angle_rad != 0.0; }
 
-struct Rectangle {
-  Range x;
-  Range y;
-  [[nodiscard]] Rectangle grown(double by) const { return {x.grown(by), y.grown(by)}; }
+bool isFinite(const Motion& motion) {
+  return std::isfinite(motion.from.x + motion.from.y + motion.from.yaw + motion.to.x + motion.to.y +
+                       motion.angle_rad);
+}
+
+/// What modes of one slab see, and what hangs above them.
+struct View {
+  Range slab;
+  Layer seen;
+  Layer hanging;
+
+  View(Range z, const Obstacles& obstacles)
+      : slab(z), seen(Layer::seenIn(z, obstacles)), hanging(Layer::hangingAbove(z.max, obstacles)) {}
+  View(const View& before, const Obstacles& was, const Obstacles& is)
+      : slab(before.slab), seen(before.seen.changed(was, is)), hanging(before.hanging.changed(was, is)) {}
 };
 
-Rectangle rectangleAround(ConvexView points) {
-  Rectangle box{{points[0].x, points[0].x}, {points[0].y, points[0].y}};
-  for (const Point p : points) box = {hull(box.x, {p.x, p.x}), hull(box.y, {p.y, p.y})};
-  return box;
-}
+/// The bounds, ready to be asked often.
+class Fence {
+ public:
+  explicit Fence(const Bounds& bounds)
+      : bounds_(bounds), cos_(std::cos(bounds.corner.yaw)), sin_(std::sin(bounds.corner.yaw)) {}
+
+  [[nodiscard]] bool holds(const Prism& body) const {
+    if (isFarInside(body)) return true;
+    const auto footprint = body.footprint();
+    return std::all_of(footprint.begin(), footprint.end(), [&](Point p) { return bounds_.contains(p); });
+  }
+
+  [[nodiscard]] bool holdsTurning(const Prism& body, double angle_rad) const {
+    if (isFarInside(body)) return true;
+    const Point pivot = body.frame.position();
+    const auto footprint = body.footprint();
+    return std::all_of(footprint.begin(), footprint.end(), [&](Point corner) {
+      const double direction = std::atan2(corner.y - pivot.y, corner.x - pivot.x);
+      return bounds_.containsArc(pivot, distance(pivot, corner), direction, angle_rad);
+    });
+  }
+
+ private:
+  /// Whether the body is inside at any heading: most are, and that is quickly seen.
+  [[nodiscard]] bool isFarInside(const Prism& body) const {
+    const double dx = body.frame.x - bounds_.corner.x;
+    const double dy = body.frame.y - bounds_.corner.y;
+    const double x = cos_ * dx + sin_ * dy;
+    const double y = cos_ * dy - sin_ * dx;
+    const double reach =
+        std::max(-body.x.min, body.x.max) + std::max(-body.y.min, body.y.max);
+    return x >= reach && y >= reach && x <= bounds_.width_m - reach && y <= bounds_.height_m - reach;
+  }
+
+  Bounds bounds_;
+  double cos_;
+  double sin_;
+};
 
 }  // namespace
 
 struct Checker::Engine {
   Engine(std::shared_ptr<const World> w, std::shared_ptr<const Robot> r)
-      : world(std::move(w)), robot(std::move(r)), scene(*world), judge(*world, *robot, scene) {
+      : world(std::move(w)),
+        robot(std::move(r)),
+        fence(world->bounds()),
+        scene(world->obstacles()),
+        judge(*world, *robot, scene) {
     for (std::size_t mode = 0; mode < robot->modes.size(); ++mode)
-      addLayer(slabOf(*robot, stay(static_cast<ModeId>(mode), {}), world->floorZ()));
+      of_mode.push_back(viewOf(slabOf(*robot, stay(static_cast<ModeId>(mode), {}), world->floorZ())));
     for (const Switch& change : robot->switches)
-      addLayer(slabOf(*robot, switchModes(change, {}), world->floorZ()));
+      of_switch.push_back(viewOf(slabOf(*robot, switchModes(change, {}), world->floorZ())));
   }
 
-  void addLayer(Range slab) {
-    const bool known =
-        std::any_of(layers.begin(), layers.end(), [&](const Layer& l) { return l.slab() == slab; });
-    if (!known) layers.emplace_back(*world, slab);
+  Engine(const Engine& before, std::shared_ptr<const World> revision)
+      : world(std::move(revision)),
+        robot(before.robot),
+        fence(world->bounds()),
+        of_mode(before.of_mode),
+        of_switch(before.of_switch),
+        scene(before.scene.changed(world->obstacles())),
+        judge(*world, *robot, scene) {
+    for (const View& view : before.views)
+      views.emplace_back(view, before.world->obstacles(), world->obstacles());
   }
 
-  [[nodiscard]] const Layer& layerOf(Range slab) const {
-    return *std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return l.slab() == slab; });
+  std::size_t viewOf(Range slab) {
+    const auto known =
+        std::find_if(views.begin(), views.end(), [&](const View& view) { return view.slab == slab; });
+    if (known != views.end()) return static_cast<std::size_t>(known - views.begin());
+    views.emplace_back(slab, world->obstacles());
+    return views.size() - 1;
+  }
+
+  [[nodiscard]] const View& view(const Motion& motion) const {
+    if (motion.kind != MotionKind::kSwitch) return views[of_mode[motion.mode]];
+    const Switch* change = robot->findSwitch(motion.mode, motion.to_mode);
+    return views[of_switch[static_cast<std::size_t>(change - robot->switches.data())]];
   }
 
   [[nodiscard]] Prism swept(const Motion& motion) const { return sweptBox(*robot, motion, world->floorZ()); }
 
-  [[nodiscard]] bool isInside(const Prism& box) const {
-    const auto footprint = box.footprint();
-    return std::all_of(footprint.begin(), footprint.end(),
-                       [&](Point p) { return world->bounds().contains(p); });
-  }
-
-  /// Calls `test(body, moved)` on bodies along a motion that, grown by `moved` [m], cover all of it; halves
-  /// the intervals of a turn that fail, down to kTurnContact_m. True when all pass.
-  template <class Test>
-  [[nodiscard]] bool allAlong(const Motion& motion, const Test& test) const {
-    Prism body = swept(motion);
-    if (motion.kind != MotionKind::kTurn || motion.angle_rad == 0.0) return test(body, 0.0);
-    const double reach = reachOf(robot->modes[motion.mode].body_m);
-    const auto passes = [&](const auto& self, double middle, double half) -> bool {
-      body.frame.yaw = motion.from.yaw + middle;
-      if (test(body, reach * half)) return true;
-      if (reach * half <= kTurnContact_m) return false;
-      return self(self, middle - 0.5 * half, 0.5 * half) && self(self, middle + 0.5 * half, 0.5 * half);
-    };
-    return passes(passes, 0.5 * sweptAngle(motion), 0.5 * std::abs(sweptAngle(motion)));
-  }
-
-  /// All that a motion's body can reach, as an axis-aligned rectangle.
-  [[nodiscard]] Rectangle regionOf(const Motion& motion) const {
-    if (motion.kind != MotionKind::kTurn || motion.angle_rad == 0.0)
-      return rectangleAround(swept(motion).footprint());
-    const double reach = reachOf(robot->modes[motion.mode].body_m);
-    return Rectangle{{motion.from.x, motion.from.x}, {motion.from.y, motion.from.y}}.grown(reach);
+  [[nodiscard]] bool isInBounds(const Motion& motion, const Prism& body) const {
+    return isFinite(motion) &&
+           (isTurning(motion) ? fence.holdsTurning(body, motion.angle_rad) : fence.holds(body));
   }
 
   std::shared_ptr<const World> world;
   std::shared_ptr<const Robot> robot;
+  Fence fence;
+  std::vector<View> views;
+  std::vector<std::size_t> of_mode;    // index into views
+  std::vector<std::size_t> of_switch;  // by the robot's order
   FclScene scene;
   Judge judge;
-  std::vector<Layer> layers;
 };
 
 Checker::Checker(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot)
     : engine_(std::make_unique<Engine>(std::move(world), std::move(robot))) {}
+Checker::Checker(std::unique_ptr<const Engine> engine) : engine_(std::move(engine)) {}
 Checker::~Checker() = default;
 Checker::Checker(Checker&&) noexcept = default;
 Checker& Checker::operator=(Checker&&) noexcept = default;
+
+Checker Checker::at(std::shared_ptr<const World> revision) const {
+  if (revision->floorZ() != world().floorZ()) return {std::move(revision), engine_->robot};
+  return Checker(std::make_unique<const Engine>(*engine_, std::move(revision)));
+}
 
 const World& Checker::world() const { return *engine_->world; }
 const Robot& Checker::robot() const { return *engine_->robot; }
 const Judge& Checker::judge() const { return engine_->judge; }
 
 bool Checker::isFree(const Motion& motion, double margin_m) const {
-  return isInBounds(motion) && engine_->allAlong(motion, [&](const Prism& body, double moved) {
-    return !engine_->scene.touches(body.grown(margin_m + moved));
-  });
+  const Prism body = engine_->swept(motion);
+  if (!engine_->isInBounds(motion, body)) return false;
+  const Layer& seen = engine_->view(motion).seen;
+  const Prism grown = body.grown(margin_m);
+  return !(isTurning(motion) ? seen.touches(Turning(grown, motion.angle_rad)) : seen.touches(grown));
+}
+
+std::vector<char> Checker::areFree(std::span<const Motion> motions, double margin_m) const {
+  std::vector<char> free(motions.size(), 0);
+  std::vector<Prism> boxes;  // of neighbours in the row that look at one layer
+  std::vector<std::size_t> of;
+  std::vector<char> touched;
+  const Layer* layer = nullptr;
+  const auto flush = [&] {
+    touched.resize(boxes.size());
+    if (layer != nullptr) layer->touchEach(boxes, touched);
+    for (std::size_t i = 0; i < boxes.size(); ++i) free[of[i]] = touched[i] == 0 ? 1 : 0;
+    boxes.clear();
+    of.clear();
+  };
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (isTurning(motions[i])) {
+      free[i] = isFree(motions[i], margin_m) ? 1 : 0;
+      continue;
+    }
+    const Prism body = engine_->swept(motions[i]);
+    if (!engine_->isInBounds(motions[i], body)) continue;
+    const Layer& seen = engine_->view(motions[i]).seen;
+    if (layer != &seen) flush();
+    layer = &seen;
+    boxes.push_back(body.grown(margin_m));
+    of.push_back(i);
+  }
+  flush();
+  return free;
 }
 
 bool Checker::isInBounds(const Motion& motion) const {
-  const Prism body = engine_->swept(motion);
-  if (motion.kind != MotionKind::kTurn || motion.angle_rad == 0.0) return engine_->isInside(body);
-  const Point pivot = motion.from.position();
-  const auto footprint = body.footprint();
-  return std::all_of(footprint.begin(), footprint.end(), [&](Point corner) {
-    const double direction = std::atan2(corner.y - pivot.y, corner.x - pivot.x);
-    return world().bounds().containsArc(pivot, distance(pivot, corner), direction, motion.angle_rad);
-  });
+  return engine_->isInBounds(motion, engine_->swept(motion));
 }
 
 bool Checker::isFreeAllRound(ModeId mode, Point at, double margin_m) const {
   const BodyBox& body = robot().modes[mode].body_m;
   const double room = reachOf(body) + std::sqrt(2.0) * margin_m;
   const Prism square{{at.x, at.y, 0.0}, {-room, room}, {-room, room}, {}};
-  if (!engine_->isInside(square)) return false;
-  const Layer& layer = engine_->layerOf(slabOf(robot(), stay(mode, {}), world().floorZ()));
-  bool free = true;
-  engine_->scene.visitNear({at.x - room, at.x + room}, {at.y - room, at.y + room}, layer.slab(),
-                           [&](std::size_t i) {
-                             const ConvexView piece = layer.piece(i);
-                             free = piece.empty() || distanceTo(piece, at) > room;
-                             return !free;
-                           });
-  return free;
+  return engine_->fence.holds(square) && !engine_->views[engine_->of_mode[mode]].seen.touches(at, room);
 }
 
-Closeness Checker::closeness(const Motion& motion, double cap_m, double turn_tolerance_m) const {
+Closeness Checker::closeness(const Motion& motion, double cap_m) const {
+  if (!isFinite(motion)) return {};
   const Prism body = engine_->swept(motion);
-  const Layer& layer = engine_->layerOf(body.z);
-  const Rectangle region = engine_->regionOf(motion).grown(cap_m);
-  const TurnMinimum along(motion, reachOf(robot().modes[motion.mode].body_m), turn_tolerance_m);
+  const View& view = engine_->view(motion);
+  const bool is_turning = isTurning(motion);
+  const auto nearest = is_turning ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m)
+                                  : view.seen.nearest(body, cap_m);
   Closeness result{cap_m, std::nullopt, std::nullopt};
-  const auto footprint_at = [&](double yaw) {
-    Prism turned = body;
-    turned.frame.yaw = yaw;
-    return turned.footprint();
-  };
-  engine_->scene.visitNear(region.x, region.y, {body.z.min, kAnyHeight_m}, [&](std::size_t i) {
-    const Obstacle& obstacle = world().obstacles()[i];
-    if (const ConvexView piece = layer.piece(i); !piece.empty()) {
-      const auto gap_at = [&](double yaw) { return gapBetween(footprint_at(yaw), piece); };
-      const Gap least = along.leastGap(gap_at, result.clearance_m);
-      if (least.distance_m < result.clearance_m) {
-        result.clearance_m = least.distance_m;
-        result.nearest = Nearest{obstacle.id, least.at};
-      }
-    }
-    const auto height_at = [&](double yaw, double moved) {
-      Prism turned = body.grown(moved);
-      turned.frame.yaw = yaw;
-      return lowestAbove(obstacle.box, turned.footprint(), body.z.max);
-    };
-    if (const auto lowest = along.lowest(height_at)) {
-      const double gap = *lowest - body.z.max;
-      result.headroom_m = std::min(result.headroom_m.value_or(gap), gap);
-    }
-    return false;
-  });
+  if (nearest) {
+    result.clearance_m = nearest->gap.distance_m;
+    result.nearest = Nearest{nearest->piece->obstacle->id, nearest->gap.at};
+  }
+  result.headroom_m = is_turning ? headroomBelow(view.hanging, body, motion.angle_rad)
+                                 : headroomBelow(view.hanging, body);
   return result;
 }
 
 std::vector<std::string> Checker::blockers(const Motion& motion, double margin_m, std::size_t most) const {
-  std::set<std::size_t> found;
-  // The passing pieces tell nothing; of the failing ones, those at the finest halving name who is hit.
-  (void)engine_->allAlong(motion, [&](const Prism& body, double moved) {
-    if (moved > kTurnContact_m) return false;
-    engine_->scene.visitTouched(body.grown(margin_m + moved), [&](std::size_t i) {
-      found.insert(i);
-      return false;
-    });
-    return true;
-  });
-  std::vector<std::string> ids;
-  for (const std::size_t i : found)
-    if (ids.size() < most) ids.push_back(world().obstacles()[i].id);
-  return ids;
+  if (!isFinite(motion)) return {};
+  std::set<std::string> ids;
+  const auto note = [&](const Piece& piece) {
+    ids.insert(piece.obstacle->id);
+    if (ids.size() > most) ids.erase(std::prev(ids.end()));
+    return false;
+  };
+  const Prism body = engine_->swept(motion).grown(margin_m);
+  const Layer& seen = engine_->view(motion).seen;
+  if (isTurning(motion))
+    seen.visitTouched(Turning(body, motion.angle_rad), note);
+  else
+    seen.visitTouched(body, note);
+  return {ids.begin(), ids.end()};
 }
 
 }  // namespace underway

@@ -9,24 +9,25 @@ namespace {
 
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
-Point nearestOnSegment(Point p, Point a, Point b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double squared = dx * dx + dy * dy;
-  if (squared == 0.0) return a;
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0);
-  return {a.x + t * dx, a.y + t * dy};
+double squaredDistance(Point a, Point b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
 
-/// Whether all of b lies strictly outside one of a's edges.
+/// Whether all of b lies outside one of a's edges, by more than a contact.
 bool hasSeparatingEdge(ConvexView a, ConvexView b) {
   if (a.size() < 2) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point from = a[i];
     const Point to = a[(i + 1) % a.size()];
-    if (std::all_of(b.begin(), b.end(), [&](Point p) { return cross(from, to, p) < 0.0; })) return true;
+    const double beyond = -kContact_m * std::sqrt(squaredDistance(from, to));
+    if (std::all_of(b.begin(), b.end(), [&](Point p) { return cross(from, to, p) < beyond; })) return true;
   }
   return false;
+}
+
+/// Of two single points no edge can tell that they are apart.
+bool arePointsApart(ConvexView a, ConvexView b) {
+  return a.size() == 1 && b.size() == 1 && squaredDistance(a[0], b[0]) > kContact_m * kContact_m;
 }
 
 }  // namespace
@@ -48,12 +49,30 @@ std::vector<Point> convexHull(std::vector<Point> points) {
   return hull;
 }
 
+Point nearestOnSegment(Point p, Point a, Point b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double squared = dx * dx + dy * dy;
+  if (squared == 0.0) return a;
+  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0);
+  return {a.x + t * dx, a.y + t * dy};
+}
+
+bool areTouching(ConvexView a, ConvexView b) {
+  return !hasSeparatingEdge(a, b) && !hasSeparatingEdge(b, a) && !arePointsApart(a, b);
+}
+
+double told(double distance_m) {
+  constexpr double kLeast_m = 1e-12;
+  return std::max(distance_m - kContact_m, kLeast_m);
+}
+
 Gap gapBetween(ConvexView a, ConvexView b) {
-  if (!hasSeparatingEdge(a, b) && !hasSeparatingEdge(b, a)) return {0.0, b.front()};
-  Gap best{std::numeric_limits<double>::infinity(), {}};
-  const auto consider = [&best](Point on_a, Point on_b) {
-    const double d = distance(on_a, on_b);
-    if (d < best.distance_m) best = {d, on_b};
+  if (areTouching(a, b)) return {0.0, b.front()};
+  double least = std::numeric_limits<double>::infinity();  // squared
+  Point at;
+  const auto consider = [&](Point on_a, Point on_b) {
+    if (const double d = squaredDistance(on_a, on_b); d < least) least = d, at = on_b;
   };
   for (const Point corner : a)
     for (std::size_t i = 0; i < b.size(); ++i)
@@ -61,7 +80,7 @@ Gap gapBetween(ConvexView a, ConvexView b) {
   for (const Point corner : b)
     for (std::size_t i = 0; i < a.size(); ++i)
       consider(nearestOnSegment(corner, a[i], a[(i + 1) % a.size()]), corner);
-  return best;
+  return {told(std::sqrt(least)), at};
 }
 
 double distanceTo(ConvexView set, Point point) { return gapBetween(std::span(&point, 1), set).distance_m; }

@@ -5,12 +5,13 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/narrowphase/collision.h>
 
-#include <vector>
+#include <mutex>
 
 namespace underway {
 namespace {
 
 constexpr double kFlush_m = 1e-9;
+constexpr std::size_t kMostChanges = 64;  // that are carried beside a tree
 
 using Object = fcl::CollisionObjectd;
 using Shape = std::shared_ptr<fcl::CollisionGeometryd>;
@@ -30,83 +31,129 @@ Object objectOf(const OrientedBox& box) {
   return {shape, placed(box.center_m, rotation(box))};
 }
 
-/// A prism as FCL's box, a hair higher and lower: a box that ends flush with the slab counts as touching
-/// here, as it does in the layers, however FCL rounds.
-Object objectOf(const Prism& prism) {
-  const Point middle =
-      transform(prism.frame, {0.5 * (prism.x.min + prism.x.max), 0.5 * (prism.y.min + prism.y.max)});
-  return objectOf(OrientedBox{{middle.x, middle.y, 0.5 * (prism.z.min + prism.z.max)},
-                              {prism.x.length(), prism.y.length(), prism.z.length() + 2.0 * kFlush_m},
-                              {0.0, 0.0, prism.frame.yaw}});
-}
-
 bool collide(const Object& a, const Object& b) {
   static const fcl::CollisionRequestd kBoolean(1, false);
   fcl::CollisionResultd result;
   return fcl::collide(&a, &b, kBoolean, result) > 0;
 }
 
-/// What a walk through the tree carries along. FCL does not promise which of the two objects is the query.
-struct Walk {
-  const Object* query;
-  const Object* first;  // of the obstacles, which lie in a row
-  bool exact;           // test the shapes, not only their axis-aligned boxes
-  const FclScene::Visit* visit;
-};
-
-bool step(Object* a, Object* b, void* data) {
-  const Walk& walk = *static_cast<const Walk*>(data);
-  const Object& obstacle = a == walk.query ? *b : *a;
-  if (walk.exact && !collide(*walk.query, obstacle)) return false;
-  return (*walk.visit)(static_cast<std::size_t>(&obstacle - walk.first));
-}
-
 }  // namespace
 
-struct FclScene::Tree {
-  std::vector<Object> obstacles;
-  fcl::DynamicAABBTreeCollisionManagerd manager;
-
-  void walk(Object query, bool exact, const Visit& visit) const {
-    Walk data{&query, obstacles.data(), exact, &visit};
-    manager.collide(&query, &data, step);
-  }
+/// The box is a hair higher and lower than it says: one that ends flush with an obstacle counts as touching
+/// here, as it does in the layers, however FCL rounds.
+struct FclBody::Object {
+  Object(Range x, Range y, Range z)
+      : middle{0.5 * (x.min + x.max), 0.5 * (y.min + y.max)},
+        middle_z(0.5 * (z.min + z.max)),
+        fcl(std::make_shared<fcl::Boxd>(x.length(), y.length(), z.length() + 2.0 * kFlush_m)) {}
+  Point middle;  // in the body frame
+  double middle_z;
+  mutable fcl::CollisionObjectd fcl;  // FCL takes pointers to non-const, and changes nothing
 };
 
-FclScene::FclScene(const World& world) : tree_(std::make_unique<Tree>()) {
-  tree_->obstacles.reserve(world.obstacles().size());
-  std::vector<Object*> all;
-  for (const Obstacle& obstacle : world.obstacles()) {
-    Object& object = tree_->obstacles.emplace_back(objectOf(obstacle.box));
-    all.push_back(&object);
-  }
-  tree_->manager.registerObjects(all);
-  tree_->manager.setup();
+FclBody::FclBody(Range x, Range y, Range z) : object_(std::make_unique<Object>(x, y, z)) {}
+FclBody::~FclBody() = default;
+FclBody::FclBody(FclBody&&) noexcept = default;
+
+void FclBody::place(const Pose& frame) {
+  const double c = std::cos(frame.yaw);
+  const double s = std::sin(frame.yaw);
+  const Point m = object_->middle;
+  fcl::Transform3d at = fcl::Transform3d::Identity();
+  at.linear() << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+  at.translation() << frame.x + c * m.x - s * m.y, frame.y + s * m.x + c * m.y, object_->middle_z;
+  object_->fcl.setTransform(at);
+  object_->fcl.computeAABB();
 }
 
-FclScene::~FclScene() = default;
+class FclScene::Base {
+ public:
+  explicit Base(Obstacles obstacles) : obstacles_(std::move(obstacles)) {}
+
+  [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
+
+  /// Whether an object touches an obstacle that is not among those to pass over.
+  bool touches(Object& query, const std::unordered_set<const Obstacle*>& passed_over) const {
+    std::call_once(once_, [this] { build(); });
+    Walk walk{&query, this, &passed_over, false};
+    manager_.collide(&query, &walk, step);
+    return walk.found;
+  }
+
+ private:
+  /// What a walk through the tree carries along.
+  struct Walk {
+    const Object* query;  // FCL does not promise which of two objects is the query
+    const Base* base;
+    const std::unordered_set<const Obstacle*>* passed_over;
+    bool found;
+  };
+
+  static bool step(Object* a, Object* b, void* data) {
+    Walk& walk = *static_cast<Walk*>(data);
+    const Object& obstacle = a == walk.query ? *b : *a;
+    if (!walk.passed_over->empty()) {
+      const auto i = static_cast<std::size_t>(&obstacle - walk.base->objects_.data());
+      if (walk.passed_over->contains(walk.base->obstacles_.pointer(i).get())) return false;
+    }
+    walk.found = collide(*walk.query, obstacle);
+    return walk.found;
+  }
+
+  void build() const {
+    objects_.reserve(obstacles_.size());
+    std::vector<Object*> all;
+    for (const Obstacle& obstacle : obstacles_) {
+      Object& object = objects_.emplace_back(objectOf(obstacle.box));
+      all.push_back(&object);
+    }
+    manager_.registerObjects(all);
+    manager_.setup();
+  }
+
+  Obstacles obstacles_;
+  mutable std::once_flag once_;  // of building, by whoever asks first
+  mutable std::vector<Object> objects_;
+  mutable fcl::DynamicAABBTreeCollisionManagerd manager_;
+};
+
+FclScene::FclScene(Obstacles obstacles) : base_(std::make_shared<const Base>(std::move(obstacles))) {}
+
+FclScene FclScene::changed(const Obstacles& after) const {
+  FclScene result = *this;
+  result.gone_.clear();
+  result.come_ = nullptr;
+  std::vector<Obstacle> come;
+  std::size_t changes = 0;
+  Obstacles::visitChanges(base_->obstacles(), after,
+                          [&](const Obstacles::Pointer& was, const Obstacles::Pointer& is) {
+                            if (++changes > kMostChanges) return;
+                            if (was) result.gone_.insert(was.get());
+                            if (is) come.push_back(*is);
+                          });
+  if (changes > kMostChanges) return FclScene(after);
+  std::optional<std::string> no_twin;
+  if (!come.empty()) result.come_ = std::make_shared<const Base>(Obstacles(std::move(come), no_twin));
+  return result;
+}
+
+bool FclScene::touches(const FclBody& body) const {
+  static const std::unordered_set<const Obstacle*> kNone;
+  fcl::CollisionObjectd& query = body.object_->fcl;
+  return base_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
+}
 
 bool FclScene::touches(const Prism& box) const {
-  bool found = false;
-  visitTouched(box, [&found](std::size_t) { return found = true; });
-  return found;
+  FclBody body(box.x, box.y, box.z);
+  body.place(box.frame);
+  return touches(body);
 }
 
 bool FclScene::touches(Point center, double radius_m, Range z) const {
-  bool found = false;
-  const Shape cylinder = std::make_shared<fcl::Cylinderd>(radius_m, z.length());
+  static const std::unordered_set<const Obstacle*> kNone;
   const Vec3 at{center.x, center.y, 0.5 * (z.min + z.max)};
-  tree_->walk(Object(cylinder, placed(at, rotation(OrientedBox{}))), true,
-              [&found](std::size_t) { return found = true; });
-  return found;
-}
-
-void FclScene::visitTouched(const Prism& box, const Visit& visit) const {
-  tree_->walk(objectOf(box), true, visit);
-}
-
-void FclScene::visitNear(Range x, Range y, Range z, const Visit& visit) const {
-  tree_->walk(objectOf(Prism{{}, x, y, z}), false, visit);
+  Object query(std::make_shared<fcl::Cylinderd>(radius_m, z.length()), placed(at, rotation(OrientedBox{})));
+  return base_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
 }
 
 }  // namespace underway

@@ -1,38 +1,50 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <memory>
+#include <unordered_set>
+#include <vector>
 
+#include "geometry/obstacles.hpp"
 #include "geometry/sweep.hpp"
-#include "geometry/world.hpp"
 
 namespace underway {
 
-/// The world's source shapes in FCL's dynamic tree. Asked for booleans only: its distances can overestimate.
+/// A box as FCL's own, made once and placed anywhere.
+class FclBody {
+ public:
+  /// Ranges in the body frame, heights above the map frame's origin [m].
+  FclBody(Range x, Range y, Range z);
+  ~FclBody();
+  FclBody(FclBody&&) noexcept;
+  void place(const Pose& frame);
+
+ private:
+  friend class FclScene;
+  struct Object;
+  std::unique_ptr<Object> object_;
+};
+
+/// The world's source shapes in FCL's dynamic tree, made when it is first asked. Asked for booleans only: its
+/// distances can overestimate. After a change the tree stays as it was: what is gone is passed over, what came
+/// is tested one by one, until that is so much that a new tree is due.
+///
 /// Thread safety: const members may be called from any number of threads.
 class FclScene {
  public:
-  explicit FclScene(const World& world);
-  ~FclScene();
-  FclScene(const FclScene&) = delete;
-  FclScene& operator=(const FclScene&) = delete;
+  explicit FclScene(Obstacles obstacles);
+  [[nodiscard]] FclScene changed(const Obstacles& after) const;
 
-  /// Gets an obstacle's index; returns true to stop looking.
-  using Visit = std::function<bool(std::size_t)>;
-
+  [[nodiscard]] bool touches(const FclBody& body) const;
   /// Whether a box touches any obstacle.
   [[nodiscard]] bool touches(const Prism& box) const;
   /// Whether an upright cylinder touches any obstacle.
   [[nodiscard]] bool touches(Point center, double radius_m, Range z) const;
-  /// Visits every obstacle a box touches.
-  void visitTouched(const Prism& box, const Visit& visit) const;
-  /// Visits every obstacle whose axis-aligned box meets an axis-aligned box.
-  void visitNear(Range x, Range y, Range z, const Visit& visit) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  class Base;  // a tree of obstacles
+  std::shared_ptr<const Base> base_;
+  std::unordered_set<const Obstacle*> gone_;
+  std::shared_ptr<const Base> come_;  // null: none
 };
 
 }  // namespace underway

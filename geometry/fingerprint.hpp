@@ -20,6 +20,7 @@ class Fingerprint {
     for (const char c : text) mix(static_cast<unsigned char>(c));
     return add(static_cast<std::uint64_t>(text.size()));
   }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
   [[nodiscard]] std::string hex() const;
 
  private:

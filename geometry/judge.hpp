@@ -11,7 +11,7 @@ namespace underway {
 /// may be called from any number of threads.
 class Judge {
  public:
-  /// The scene must outlive the judge.
+  /// World, robot and scene must outlive the judge.
   Judge(const World& world, const Robot& robot, const FclScene& scene)
       : world_(world), robot_(robot), scene_(scene) {}
 

@@ -2,88 +2,208 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
+#include <limits>
+
+#include "geometry/flatten.hpp"
+#include "geometry/overlap_simd.hpp"
 
 namespace underway {
 namespace {
 
-// Corners are numbered as corners() says: bit 0 is x, bit 1 is y, bit 2 is z.
-constexpr std::array<std::array<unsigned, 2>, 12> kEdges{
-    {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-constexpr std::array<std::array<unsigned, 4>, 6> kFaces{
-    {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+constexpr double kAnyHeight_m = 1e6;
 
-Vec3 between(const Vec3& a, const Vec3& b, double t) {
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-
-/// The part of a polygon in space where a plane's value is not negative (Sutherland and Hodgman).
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const std::function<double(const Vec3&)>& value) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3& a = polygon[i];
-    const Vec3& b = polygon[(i + 1) % polygon.size()];
-    const double va = value(a);
-    const double vb = value(b);
-    if (va >= 0.0) kept.push_back(a);
-    if ((va < 0.0) != (vb < 0.0)) kept.push_back(between(a, b, va / (va - vb)));
+/// Keeps what touches: looks closer where it must, and hands on what does to `visit(piece)`.
+template <class Touches, class Visit>
+class TouchSieve : public Sieve {
+ public:
+  TouchSieve(const Touches& touches, const Visit& visit) : touches_(touches), visit_(visit) {}
+  bool keep(const Piece& piece, bool is_certain, std::size_t shape) override {
+    return (is_certain || touches_(piece, shape)) && visit_(piece);
   }
-  return kept;
+
+ private:
+  const Touches& touches_;
+  const Visit& visit_;
+};
+
+bool stopAtFirst(const Piece&) { return true; }
+
+/// Sifts one body, with its exact footprint at hand once it is needed.
+template <class Visit>
+bool siftBody(const Tree& tree, const Prism& body, const Visit& visit) {
+  std::optional<std::array<Point, 4>> footprint;
+  const auto touches = [&](const Piece& piece, std::size_t) {
+    if (!footprint) footprint = body.footprint();
+    return areTouching(*footprint, piece.corners);
+  };
+  TouchSieve sieve(touches, visit);
+  return sift(tree, body, sieve);
 }
 
-bool isUpright(const OrientedBox& box) { return box.rpy_rad.x == 0.0 && box.rpy_rad.y == 0.0; }
+template <class Visit>
+bool siftTurning(const Tree& tree, const Turning& turning, const Visit& visit) {
+  const auto touches = [&](const Piece& piece, std::size_t) { return turning.touches(piece.corners); };
+  TouchSieve sieve(touches, visit);
+  return sift(tree, Ring{turning.pivot(), turning.outerRadius(), turning.innerRadius()}, sieve);
+}
+
+/// An axis-aligned region of the map.
+struct Region {
+  double min_x, min_y, max_x, max_y;
+};
+
+Region regionAround(ConvexView points) {
+  Region region{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const Point p : points)
+    region = {std::min(region.min_x, p.x), std::min(region.min_y, p.y), std::max(region.max_x, p.x),
+              std::max(region.max_y, p.y)};
+  return region;
+}
+
+/// No entry's pieces are nearer to a region than this.
+double leastGap(const Areas& areas, std::size_t i, const Region& region) {
+  const auto apart = [](double a_min, double a_max, double b_min, double b_max) {
+    return std::max({0.0, a_min - b_max, b_min - a_max});
+  };
+  const double x = apart(areas.min_x[i], areas.max_x[i], region.min_x, region.max_x);
+  const double y = apart(areas.min_y[i], areas.max_y[i], region.min_y, region.max_y);
+  return std::sqrt(x * x + y * y) - 2.0 * kContact_m;
+}
+
+/// Branch and bound over the tree, nearest entries first.
+template <class GapTo>
+class NearestSearch {
+ public:
+  NearestSearch(const Region& region, const GapTo& gap_to, double cap_m)
+      : region_(region), gap_to_(gap_to), best_{nullptr, {cap_m, {}}} {}
+
+  void visit(const Node& node) {
+    std::array<std::pair<double, std::size_t>, kFan> order;
+    for (std::size_t i = 0; i < node.count; ++i) order[i] = {leastGap(node.areas, i, region_), i};
+    std::sort(order.begin(), order.begin() + node.count);
+    for (std::size_t k = 0; k < node.count; ++k) {
+      const auto [least, i] = order[k];
+      if (least > best_.gap.distance_m) return;
+      if (node.is_leaf)
+        consider(*static_cast<const Leaf&>(node).pieces[i]);
+      else
+        visit(*static_cast<const Branch&>(node).below[i]);
+    }
+  }
+
+  [[nodiscard]] std::optional<Layer::Neighbour> result() const {
+    return best_.piece != nullptr ? std::optional(best_) : std::nullopt;
+  }
+
+ private:
+  void consider(const Piece& piece) {
+    const bool is_tie_won = best_.piece != nullptr && piece.obstacle->id < best_.piece->obstacle->id;
+    if (best_.gap.distance_m == 0.0 && !is_tie_won) return;  // nothing is nearer than touching
+    const Gap gap = gap_to_(piece.corners);
+    if (gap.distance_m < best_.gap.distance_m || (gap.distance_m == best_.gap.distance_m && is_tie_won))
+      best_ = {&piece, gap};
+  }
+
+  Region region_;
+  const GapTo& gap_to_;
+  Layer::Neighbour best_;
+};
+
+template <class GapTo>
+std::optional<Layer::Neighbour> nearestIn(const Tree& tree, const Region& region, const GapTo& gap_to,
+                                          double cap_m) {
+  if (!tree) return std::nullopt;
+  NearestSearch search(region, gap_to, cap_m);
+  search.visit(*tree);
+  return search.result();
+}
 
 }  // namespace
 
-std::vector<Point> flattened(const OrientedBox& box, Range slab) {
-  const std::array<Vec3, 8> vertices = corners(box);
-  std::vector<Point> shadow;
-  for (const Vec3& v : vertices)
-    if (v.z >= slab.min && v.z <= slab.max) shadow.push_back({v.x, v.y});
-  for (const auto& [from, to] : kEdges) {
-    const Vec3& a = vertices[from];
-    const Vec3& b = vertices[to];
-    for (const double z : {slab.min, slab.max}) {
-      if ((a.z < z) == (b.z < z)) continue;
-      const Vec3 cut = between(a, b, (z - a.z) / (b.z - a.z));
-      shadow.push_back({cut.x, cut.y});
-    }
-  }
-  return convexHull(std::move(shadow));
+Layer::Layer(Flatten flatten, const Obstacles& obstacles) : flatten_(std::move(flatten)) {
+  std::vector<Piece> pieces;
+  pieces.reserve(obstacles.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    if (auto piece = pieceFor(obstacles.pointer(i))) pieces.push_back(std::move(*piece));
+  tree_ = treeOf(std::move(pieces));
 }
 
-std::optional<double> lowestAbove(const OrientedBox& box, ConvexView area, double height_m) {
-  const std::array<Vec3, 8> vertices = corners(box);
-  const auto below = [&](const Vec3& v) { return v.z < height_m; };
-  if (std::all_of(vertices.begin(), vertices.end(), below)) return std::nullopt;
-  if (isUpright(box)) {
-    const std::vector<Point> shadow = flattened(box, {height_m, vertices[7].z});
-    if (shadow.empty() || gapBetween(area, shadow).distance_m > 0.0) return std::nullopt;
-    return std::max(vertices[0].z, height_m);
-  }
-  std::optional<double> lowest;
-  for (const auto& face : kFaces) {
-    std::vector<Vec3> polygon{vertices[face[0]], vertices[face[1]], vertices[face[2]], vertices[face[3]]};
-    polygon = clipped(polygon, [&](const Vec3& v) { return v.z - height_m; });
-    for (std::size_t i = 0; i < area.size() && !polygon.empty(); ++i) {
-      const Point a = area[i];
-      const Point b = area[(i + 1) % area.size()];
-      polygon = clipped(polygon,
-                        [&](const Vec3& v) { return (b.x - a.x) * (v.y - a.y) - (b.y - a.y) * (v.x - a.x); });
-    }
-    for (const Vec3& v : polygon) lowest = std::min(lowest.value_or(v.z), v.z);
-  }
-  return lowest;
+Layer Layer::seenIn(Range slab, const Obstacles& obstacles) {
+  return {[slab](const OrientedBox& box) { return flattened(box, slab); }, obstacles};
 }
 
-Layer::Layer(const World& world, Range slab) : slab_(slab) {
-  first_.reserve(world.obstacles().size() + 1);
-  first_.push_back(0);
-  for (const Obstacle& obstacle : world.obstacles()) {
-    const std::vector<Point> piece = flattened(obstacle.box, slab);
-    corners_.insert(corners_.end(), piece.begin(), piece.end());
-    first_.push_back(static_cast<std::uint32_t>(corners_.size()));
-  }
+Layer Layer::hangingAbove(double height_m, const Obstacles& obstacles) {
+  const auto flatten = [height_m](const OrientedBox& box) {
+    const bool is_seen = isUpright(box) && box.center_m.z - 0.5 * box.size_m.z <= height_m;
+    return is_seen ? std::vector<Point>{} : flattened(box, {height_m, kAnyHeight_m});
+  };
+  return {flatten, obstacles};
+}
+
+std::optional<Piece> Layer::pieceFor(const Obstacles::Pointer& obstacle) const {
+  std::vector<Point> corners = flatten_(obstacle->box);
+  if (corners.empty()) return std::nullopt;
+  Piece piece = pieceOf(obstacle, std::move(corners));
+  piece.is_rectangle = isUpright(obstacle->box);
+  return piece;
+}
+
+Layer Layer::changed(const Obstacles& before, const Obstacles& after) const {
+  Layer result = *this;
+  std::size_t left = after.size() / 8 + 8;  // changes that are quicker made one by one than all at once
+  bool is_worth_it = true;
+  Obstacles::visitChanges(before, after, [&](const Obstacles::Pointer& was, const Obstacles::Pointer& is) {
+    is_worth_it = is_worth_it && left-- > 0;
+    if (!is_worth_it) return;
+    if (was)
+      if (const auto piece = pieceFor(was)) result.tree_ = without(result.tree_, *piece);
+    if (is)
+      if (auto piece = pieceFor(is))
+        result.tree_ = with(result.tree_, std::make_shared<const Piece>(std::move(*piece)));
+  });
+  return is_worth_it ? result : Layer(flatten_, after);
+}
+
+bool Layer::touches(const Prism& body) const { return siftBody(tree_, body, stopAtFirst); }
+bool Layer::touches(const Turning& turning) const { return siftTurning(tree_, turning, stopAtFirst); }
+
+bool Layer::touches(Point center, double radius_m) const {
+  const auto touches = [&](const Piece& piece, std::size_t) {
+    return !(distanceTo(piece.corners, center) > radius_m);
+  };
+  TouchSieve sieve(touches, stopAtFirst);
+  return sift(tree_, Ring{center, radius_m, radius_m}, sieve);
+}
+
+void Layer::visitTouched(const Prism& body, const Visit& visit) const { siftBody(tree_, body, visit); }
+void Layer::visitTouched(const Turning& turning, const Visit& visit) const {
+  siftTurning(tree_, turning, visit);
+}
+
+void Layer::touchEach(std::span<const Prism> bodies, std::span<char> touched) const {
+  std::size_t looked_at = bodies.size();
+  std::array<Point, 4> footprint;
+  const auto touches = [&](const Piece& piece, std::size_t body) {
+    if (looked_at != body) footprint = bodies[looked_at = body].footprint();
+    return areTouching(footprint, piece.corners);
+  };
+  TouchSieve sieve(touches, stopAtFirst);
+  siftEach(tree_, bodies, sieve, touched);
+}
+
+std::optional<Layer::Neighbour> Layer::nearest(const Prism& body, double cap_m) const {
+  const auto footprint = body.footprint();
+  return nearestIn(
+      tree_, regionAround(footprint), [&](ConvexView piece) { return gapBetween(footprint, piece); }, cap_m);
+}
+
+std::optional<Layer::Neighbour> Layer::nearest(const Turning& turning, double cap_m) const {
+  const Point pivot = turning.pivot();
+  const double reach = turning.outerRadius();
+  return nearestIn(
+      tree_, Region{pivot.x - reach, pivot.y - reach, pivot.x + reach, pivot.y + reach},
+      [&](ConvexView piece) { return turning.gapTo(piece); }, cap_m);
 }
 
 }  // namespace underway

@@ -1,36 +1,64 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/convex.hpp"
+#include "geometry/piece_tree.hpp"
+#include "geometry/sweep.hpp"
+#include "geometry/turning.hpp"
 #include "geometry/world.hpp"
 
 namespace underway {
 
-/// What a mode sees of the world: each obstacle cut to the mode's slab and projected to the floor, exactly.
-/// Piece i belongs to obstacle i; it is empty when the obstacle does not reach into the slab.
+/// Obstacles flattened for one question about the floor, in a tree: what a mode sees, or what hangs above it.
+/// A value that does not change; a changed layer shares with it all that did not change.
+///
+/// Fast answers are given in single precision, eight pieces at a time; what is too near to contact for that
+/// is decided by one routine in double precision (convex.hpp, turning.hpp), on every machine the same.
+///
+/// Thread safety: const members may be called from any number of threads.
 class Layer {
  public:
-  Layer(const World& world, Range slab);
+  /// Each obstacle cut to a slab of heights and projected to the floor, exactly.
+  [[nodiscard]] static Layer seenIn(Range slab, const Obstacles& obstacles);
+  /// What may hang above a height: all that reaches above it, but for upright boxes that also reach below it,
+  /// which are seen already.
+  [[nodiscard]] static Layer hangingAbove(double height_m, const Obstacles& obstacles);
+  /// The layer that the same question makes of the obstacles after a change.
+  [[nodiscard]] Layer changed(const Obstacles& before, const Obstacles& after) const;
 
-  [[nodiscard]] Range slab() const { return slab_; }
-  [[nodiscard]] ConvexView piece(std::size_t obstacle) const {
-    return {corners_.data() + first_[obstacle], corners_.data() + first_[obstacle + 1]};
-  }
+  /// Visited pieces come in no particular order. Return true to stop.
+  using Visit = std::function<bool(const Piece&)>;
+  [[nodiscard]] bool touches(const Prism& body) const;
+  [[nodiscard]] bool touches(const Turning& turning) const;
+  [[nodiscard]] bool touches(Point center, double radius_m) const;
+  void visitTouched(const Prism& body, const Visit& visit) const;
+  void visitTouched(const Turning& turning, const Visit& visit) const;
+  /// For many bodies: `touched[i]` becomes whether body i touches any piece.
+  void touchEach(std::span<const Prism> bodies, std::span<char> touched) const;
+
+  struct Neighbour {
+    const Piece* piece;  ///< lives as long as the layer, or a layer made from it by changes
+    Gap gap;             ///< from the shape to the piece
+  };
+  /// The nearest piece that is nearer than a cap; of equally near ones that with the smallest id.
+  [[nodiscard]] std::optional<Neighbour> nearest(const Prism& body, double cap_m) const;
+  [[nodiscard]] std::optional<Neighbour> nearest(const Turning& turning, double cap_m) const;
+
+  /// The tree itself, to look at.
+  [[nodiscard]] const Tree& tree() const { return tree_; }
 
  private:
-  Range slab_;
-  std::vector<Point> corners_;
-  std::vector<std::uint32_t> first_;  // of each piece; one more at the end
+  /// The corners of an obstacle's piece; none when it has no piece here.
+  using Flatten = std::function<std::vector<Point>(const OrientedBox&)>;
+  Layer(Flatten flatten, const Obstacles& obstacles);
+  [[nodiscard]] std::optional<Piece> pieceFor(const Obstacles::Pointer& obstacle) const;
+
+  Flatten flatten_;
+  Tree tree_;
 };
-
-/// The part of a box between two heights (closed), projected to the floor; empty when there is none.
-[[nodiscard]] std::vector<Point> flattened(const OrientedBox& box, Range slab);
-
-/// The lowest point of a box among those at or above a height and over a convex area of the floor; empty when
-/// the box is nowhere there. Right as long as the box does not touch the area at exactly that height.
-[[nodiscard]] std::optional<double> lowestAbove(const OrientedBox& box, ConvexView area, double height_m);
 
 }  // namespace underway

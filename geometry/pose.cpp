@@ -33,6 +33,6 @@ Point transform(const Pose& base, Point local) {
   return {base.x + c * local.x - s * local.y, base.y + s * local.x + c * local.y};
 }
 
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double distance(Point a, Point b) { return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)); }
 
 }  // namespace underway

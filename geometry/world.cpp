@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_set>
+#include <optional>
 
 #include "geometry/fingerprint.hpp"
 
@@ -32,6 +32,28 @@ std::string faultOf(const Bounds& bounds) {
       bounds.height_m < kSmallestBounds_m)
     return "the bounds must have a width and a height above 0.01 m and below 100 km";
   return {};
+}
+
+std::string faultOf(const Obstacle& obstacle) {
+  if (obstacle.id.empty()) return "an obstacle has no id";
+  const std::string fault = faultOf(obstacle.box);
+  return fault.empty() ? fault : "obstacle \"" + obstacle.id + "\": " + fault;
+}
+
+tl::unexpected<Error> refusal(const std::string& map, const std::string& what) {
+  return fail(ErrorCode::kInvalidMap, "map \"" + map + "\": " + what);
+}
+
+tl::unexpected<Error> noSuchObstacle(const std::string& map, std::string_view id) {
+  return refusal(map, "there is no obstacle \"" + std::string(id) + "\"; add it first");
+}
+
+std::uint64_t fingerprintOf(const Obstacle& obstacle) {
+  Fingerprint print;
+  print.add(obstacle.id);
+  for (const Vec3& v : {obstacle.box.center_m, obstacle.box.size_m, obstacle.box.rpy_rad})
+    print.add(v.x).add(v.y).add(v.z);
+  return print.value();
 }
 
 /// A point of the map frame in a frame.
@@ -71,37 +93,58 @@ std::array<Point, 4> Bounds::corners() const {
 
 Expected<World> World::make(std::string name, Bounds bounds, double floor_z_m,
                             std::vector<Obstacle> obstacles) {
-  const auto refuse = [&](const std::string& what) {
-    return fail(ErrorCode::kInvalidMap, "map \"" + name + "\": " + what);
-  };
+  const auto refuse = [&](const std::string& what) { return refusal(name, what); };
   if (const std::string fault = faultOf(bounds); !fault.empty()) return refuse(fault);
   if (!isSane(floor_z_m)) return refuse("floor_z_m must be finite and within 100 km");
-  std::unordered_set<std::string_view> ids;
-  ids.reserve(obstacles.size());
-  for (const Obstacle& obstacle : obstacles) {
-    if (obstacle.id.empty()) return refuse("an obstacle has no id");
-    if (const std::string fault = faultOf(obstacle.box); !fault.empty())
-      return refuse("obstacle \"" + obstacle.id + "\": " + fault);
-    if (!ids.insert(obstacle.id).second) return refuse("obstacle id \"" + obstacle.id + "\" is given twice");
-  }
   World world;
+  for (const Obstacle& obstacle : obstacles) {
+    if (const std::string fault = faultOf(obstacle); !fault.empty()) return refuse(fault);
+    world.fingerprint_ += fingerprintOf(obstacle);
+  }
+  std::optional<std::string> twin;
+  world.obstacles_ = Obstacles(std::move(obstacles), twin);
+  if (twin) return refuse("obstacle id \"" + *twin + "\" is given twice");
   world.name_ = std::move(name);
   world.bounds_ = bounds;
   world.floor_z_m_ = floor_z_m;
-  world.obstacles_ = std::move(obstacles);
   return world;
+}
+
+World World::next(Obstacles obstacles, std::uint64_t gone, std::uint64_t come) const {
+  World world = *this;
+  world.obstacles_ = std::move(obstacles);
+  world.fingerprint_ += come - gone;
+  ++world.revision_;
+  return world;
+}
+
+Expected<World> World::added(Obstacle obstacle) const {
+  if (const std::string fault = faultOf(obstacle); !fault.empty()) return refusal(name_, fault);
+  if (obstacles_.find(obstacle.id))
+    return refusal(name_, "obstacle id \"" + obstacle.id + "\" is taken; move that obstacle, or choose another id");
+  const std::uint64_t come = fingerprintOf(obstacle);
+  return next(obstacles_.with(std::move(obstacle)), 0, come);
+}
+
+Expected<World> World::moved(std::string_view id, const OrientedBox& box) const {
+  const auto at = obstacles_.find(id);
+  if (!at) return noSuchObstacle(name_, id);
+  const Obstacle changed{std::string(id), box};
+  if (const std::string fault = faultOf(changed); !fault.empty()) return refusal(name_, fault);
+  return next(obstacles_.withBox(*at, box), fingerprintOf(obstacles_[*at]), fingerprintOf(changed));
+}
+
+Expected<World> World::removed(std::string_view id) const {
+  const auto at = obstacles_.find(id);
+  if (!at) return noSuchObstacle(name_, id);
+  return next(obstacles_.without(*at), fingerprintOf(obstacles_[*at]), 0);
 }
 
 std::string World::hash() const {
   Fingerprint print;
   print.add(bounds_.corner.x).add(bounds_.corner.y).add(bounds_.corner.yaw);
   print.add(bounds_.width_m).add(bounds_.height_m).add(floor_z_m_);
-  for (const Obstacle& obstacle : obstacles_) {
-    print.add(obstacle.id);
-    for (const Vec3& v : {obstacle.box.center_m, obstacle.box.size_m, obstacle.box.rpy_rad})
-      print.add(v.x).add(v.y).add(v.z);
-  }
-  return print.hex();
+  return print.add(std::uint64_t{obstacles_.size()}).add(fingerprint_).hex();
 }
 
 }  // namespace underway

@@ -3,20 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "geometry/box.hpp"
 #include "geometry/error.hpp"
+#include "geometry/obstacles.hpp"
 #include "geometry/pose.hpp"
 
 namespace underway {
-
-/// Something solid, with an id that stays the same through changes of the world.
-struct Obstacle {
-  std::string id;
-  OrientedBox box;
-  bool operator==(const Obstacle&) const = default;
-};
 
 /// The rectangle the whole body stays in, in every mode: `corner` is its lower left corner, its x axis along
 /// the width.
@@ -34,7 +28,8 @@ struct Bounds {
   [[nodiscard]] std::array<Point, 4> corners() const;
 };
 
-/// The obstacles in memory. A value that does not change: share it between threads as it is.
+/// The obstacles in memory. A value that does not change: share it between threads as it is. A change makes
+/// another world, with the next revision, that shares with this one all that did not change.
 class World {
  public:
   /// Refuses, as kInvalidMap and with the obstacle's id: sizes that are not positive, numbers that are not
@@ -45,21 +40,30 @@ class World {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   [[nodiscard]] double floorZ() const { return floor_z_m_; }  ///< where the robot stands [m]
-  [[nodiscard]] const std::vector<Obstacle>& obstacles() const { return obstacles_; }
-  [[nodiscard]] std::uint64_t revision() const {
-    return revision_;
-  }  ///< rises with every change; 1 when made
-  /// 16 hex digits over bounds, floor and obstacles.
+  [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
+  /// Rises with every change; 1 when made.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// 16 hex digits over bounds, floor and obstacles, whatever their order and the changes that led here.
   [[nodiscard]] std::string hash() const;
+
+  /// The next revision: with one obstacle more, with an obstacle elsewhere, with one less. Errors:
+  /// kInvalidMap with the id, for what `make` refuses, an id that is taken, an id that is not there.
+  [[nodiscard]] Expected<World> added(Obstacle obstacle) const;
+  [[nodiscard]] Expected<World> moved(std::string_view id, const OrientedBox& box) const;
+  [[nodiscard]] Expected<World> removed(std::string_view id) const;
 
   static constexpr double kLargest_m = 1e5;  ///< coordinates and sizes beyond this are refused [m]
 
  private:
   World() = default;
+  /// This world with other obstacles and the next revision; the fingerprints are of what went and what came.
+  [[nodiscard]] World next(Obstacles obstacles, std::uint64_t gone, std::uint64_t come) const;
+
   std::string name_;
   Bounds bounds_;
   double floor_z_m_ = 0.0;
-  std::vector<Obstacle> obstacles_;
+  Obstacles obstacles_;
+  std::uint64_t fingerprint_ = 0;  // sum of the obstacles' own, so that order does not matter
   std::uint64_t revision_ = 1;
 };
 

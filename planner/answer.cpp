@@ -13,20 +13,11 @@ namespace {
 
 constexpr double kClearanceStep_m = 1e-3;  // to which kSafest finds the largest clearance
 
-/// How close a motion comes. A turn's clearance is told a little low; near contact that little would be all
-/// of it.
-Closeness closenessOf(const Checker& checker, const Motion& motion) {
-  constexpr double kNearContact_m = 2e-3;
-  constexpr double kFine_m = 1e-6;
-  const Closeness told = checker.closeness(motion, kClearanceCap_m);
-  return told.clearance_m < kNearContact_m ? checker.closeness(motion, kClearanceCap_m, kFine_m) : told;
-}
-
 /// One way to answer, timed and with its clearances.
 Plan planOf(const Checker& checker, const Route& route, const Pose& start) {
   std::vector<Segment> segments;
   for (const Motion& motion : route)
-    segments.push_back({motion, duration(checker.robot(), motion), closenessOf(checker, motion)});
+    segments.push_back({motion, duration(checker.robot(), motion), checker.closeness(motion, kClearanceCap_m)});
   return timedPlan(std::move(segments), start);
 }
 

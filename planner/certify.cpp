@@ -15,7 +15,7 @@ constexpr double kExact = 1e-9;   // of positions [m] and headings [rad]
 constexpr double kGoal_m = 0.01;  // how near the goal a plan may end
 constexpr double kGoal_rad = 0.02;
 constexpr double kTold_m = 1e-3;           // how much less than the truth a clearance may be told
-constexpr double kPlannedWithin_m = 5e-6;  // to which planning keeps what start and goal have
+constexpr double kPlannedWithin_m = 1e-7;  // to which planning keeps what start and goal have
 constexpr double kSum = 1e-6;              // of totals, relative
 
 double apart(double a_rad, double b_rad) { return std::abs(normalizedAngle(a_rad - b_rad)); }
@@ -175,9 +175,6 @@ class Certificate {
     if (!isNear(plan_.length_m, sums.length_m))
       flaw("says {:.3f} m in total; its segments are {:.3f} m", plan_.length_m, sums.length_m);
   }
-
-  static constexpr double kToldTurn_m =
-      5e-6;  // what planning may be off by where it keeps less than the margin
 
   const Plan& plan_;
   const Request& request_;

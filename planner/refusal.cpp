@@ -18,10 +18,8 @@ bool isFinite(const Pose& pose) {
 
 /// The height a place below an obstacle leaves, 0 if the obstacle stands on the floor [m].
 double heightBelow(const World& world, const std::string& id) {
-  const auto found = std::find_if(world.obstacles().begin(), world.obstacles().end(),
-                                  [&](const Obstacle& obstacle) { return obstacle.id == id; });
   double lowest = INFINITY;
-  for (const Vec3& corner : corners(found->box)) lowest = std::min(lowest, corner.z);
+  for (const Vec3& corner : corners(world.obstacles()[*world.obstacles().find(id)].box)) lowest = std::min(lowest, corner.z);
   return std::max(0.0, lowest - world.floorZ());
 }
 
@@ -48,8 +46,7 @@ std::optional<Error> refusalOf(const Checker& checker, const char* end, ModeId m
                     "bounds; move it inside",
                     end, pose.x, pose.y, pose.yaw, checker.robot().modes[mode].name),
         {}};
-  if (checker.isFree(standing, 0.0) && checker.closeness(standing, 1e-3).clearance_m > 0.0)
-    return std::nullopt;
+  if (checker.isFree(standing, 0.0)) return std::nullopt;
   return collision(checker, in_collision, end, mode, pose);
 }
 

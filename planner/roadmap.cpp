@@ -8,7 +8,7 @@
 namespace underway {
 namespace {
 
-constexpr double kTurnTolerance_m = 1e-6;
+constexpr double kRounding_m = 1e-8;  // of clearances, which are told within a few nanometres
 
 }  // namespace
 
@@ -51,7 +51,7 @@ bool isFreeKeeping(const Checker& checker, const Motion& motion, double keep_m) 
   const double margin = checker.robot().margin_m;
   if (keep_m >= margin) return checker.isFree(motion, keep_m);
   return checker.isFree(motion, 0.0) &&
-         checker.closeness(motion, margin, kTurnTolerance_m).clearance_m >= keep_m - 2.0 * kTurnTolerance_m;
+         checker.closeness(motion, margin).clearance_m >= keep_m - kRounding_m;
 }
 
 double clearanceToKeep(const Checker& checker, ModeId mode, const Pose& pose) {

@@ -71,10 +71,10 @@ TEST(Gap, IsKnownBetweenSquares) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Point> beyond{{4, 5}, {5, 5}, {5, 6}, {4, 6}};
   const Gap dut = gapBetween(square, beyond);
-  EXPECT_DOUBLE_EQ(dut.distance_m, 5.0);
+  EXPECT_NEAR(dut.distance_m, 5.0, 2e-9);
   EXPECT_EQ(dut.at, (Point{4, 5}));
   const std::vector<Point> line{{2, -1}, {2, 3}};
-  EXPECT_DOUBLE_EQ(gapBetween(square, line).distance_m, 1.0);
+  EXPECT_NEAR(gapBetween(square, line).distance_m, 1.0, 2e-9);
 }
 
 TEST(Gap, EqualsTheLeastDistanceOfOutlinesSampledByTheMillimetre) {

@@ -1,4 +1,4 @@
-#include "geometry/layer.hpp"
+#include "geometry/flatten.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,308 @@
+#include "geometry/piece_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace underway {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+/// An axis-aligned area, rounded outwards.
+struct Area {
+  float min_x = kInfinite;
+  float min_y = kInfinite;
+  float max_x = -kInfinite;
+  float max_y = -kInfinite;
+
+  void include(const Area& other) {
+    min_x = std::min(min_x, other.min_x);
+    min_y = std::min(min_y, other.min_y);
+    max_x = std::max(max_x, other.max_x);
+    max_y = std::max(max_y, other.max_y);
+  }
+  [[nodiscard]] bool holds(const Area& other) const {
+    return min_x <= other.min_x && min_y <= other.min_y && max_x >= other.max_x && max_y >= other.max_y;
+  }
+  /// Half the outline: unlike the area it also grows with what is flat.
+  [[nodiscard]] float extent() const { return (max_x - min_x) + (max_y - min_y); }
+  [[nodiscard]] float middleX() const { return 0.5F * (min_x + max_x); }
+  [[nodiscard]] float middleY() const { return 0.5F * (min_y + max_y); }
+};
+
+float roundedDown(double value) {
+  const auto nearest = static_cast<float>(value);
+  return static_cast<double>(nearest) <= value ? nearest : std::nextafter(nearest, -kInfinite);
+}
+float roundedUp(double value) { return -roundedDown(-value); }
+
+Area areaOf(const Piece& piece) {
+  Area area;
+  for (const Point p : piece.corners)
+    area.include({roundedDown(p.x), roundedDown(p.y), roundedUp(p.x), roundedUp(p.y)});
+  return area;
+}
+
+Area areaOf(const Node& node, std::size_t i) {
+  return {node.areas.min_x[i], node.areas.min_y[i], node.areas.max_x[i], node.areas.max_y[i]};
+}
+
+Area areaOf(const Node& node) {
+  Area area;
+  for (std::size_t i = 0; i < node.count; ++i) area.include(areaOf(node, i));
+  return area;
+}
+
+/// What a node holds, with its area: a piece in a leaf, a tree in a branch.
+template <class Held>
+struct Entry {
+  Area area;
+  Held held;
+};
+using PieceEntry = Entry<PiecePointer>;
+using TreeEntry = Entry<Tree>;
+
+void setAreas(Node& node, std::span<const Area> areas) {
+  node.count = static_cast<std::uint32_t>(areas.size());
+  for (std::size_t i = 0; i < kFan; ++i) {
+    const Area area = i < areas.size() ? areas[i] : Area{};
+    node.areas.min_x[i] = area.min_x;
+    node.areas.min_y[i] = area.min_y;
+    node.areas.max_x[i] = area.max_x;
+    node.areas.max_y[i] = area.max_y;
+  }
+}
+
+template <class Held>
+std::vector<Area> areasOf(std::span<const Entry<Held>> entries) {
+  std::vector<Area> areas;
+  areas.reserve(entries.size());
+  for (const auto& entry : entries) areas.push_back(entry.area);
+  return areas;
+}
+
+TreeEntry nodeOf(std::span<const PieceEntry> entries) {
+  auto leaf = std::make_shared<Leaf>();
+  setAreas(*leaf, areasOf(entries));
+  leaf->is_leaf = true;
+  const Area all = areaOf(*leaf);
+  leaf->origin_x = static_cast<double>(all.middleX());
+  leaf->origin_y = static_cast<double>(all.middleY());
+  leaf->x = leaf->y = leaf->cos = leaf->sin = leaf->half_x = leaf->half_y = {};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Rectangle& around = entries[i].held->around;
+    leaf->x[i] = static_cast<float>(around.center.x - leaf->origin_x);
+    leaf->y[i] = static_cast<float>(around.center.y - leaf->origin_y);
+    leaf->cos[i] = static_cast<float>(around.cos);
+    leaf->sin[i] = static_cast<float>(around.sin);
+    leaf->half_x[i] = static_cast<float>(around.half_x);
+    leaf->half_y[i] = static_cast<float>(around.half_y);
+    leaf->reach = std::max(
+        leaf->reach, std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] + leaf->half_y[i]);
+    if (entries[i].held->is_rectangle) leaf->rectangles |= 1U << i;
+    leaf->pieces[i] = entries[i].held;
+  }
+  return {all, leaf};
+}
+
+TreeEntry nodeOf(std::span<const TreeEntry> entries) {
+  auto branch = std::make_shared<Branch>();
+  setAreas(*branch, areasOf(entries));
+  for (std::size_t i = 0; i < entries.size(); ++i) branch->below[i] = entries[i].held;
+  return {areaOf(*branch), branch};
+}
+
+/// Orders entries so that those before `cut` lie to one side of the rest, along the longer way.
+template <class Held>
+void part(std::span<Entry<Held>> entries, std::size_t cut) {
+  Area middles;
+  for (const auto& entry : entries) {
+    const float x = entry.area.middleX();
+    const float y = entry.area.middleY();
+    middles.include({x, y, x, y});
+  }
+  const bool along_x = middles.max_x - middles.min_x >= middles.max_y - middles.min_y;
+  const auto at = entries.begin() + static_cast<std::ptrdiff_t>(cut);
+  std::nth_element(entries.begin(), at, entries.end(), [along_x](const auto& a, const auto& b) {
+    return along_x ? a.area.middleX() < b.area.middleX() : a.area.middleY() < b.area.middleY();
+  });
+}
+
+class Loader {
+ public:
+  /// A node `height` levels above the leaves.
+  static TreeEntry load(std::span<PieceEntry> pieces, std::size_t height) {
+    if (height == 0) return nodeOf(std::span<const PieceEntry>(pieces));
+    std::size_t room = kFan;  // of one entry
+    for (std::size_t level = 1; level < height; ++level) room *= kFan;
+    std::vector<TreeEntry> entries;
+    distribute(pieces, (pieces.size() + room - 1) / room, height - 1, entries);
+    return nodeOf(std::span<const TreeEntry>(entries));
+  }
+
+ private:
+  static void distribute(std::span<PieceEntry> pieces, std::size_t parts, std::size_t height,
+                         std::vector<TreeEntry>& entries) {
+    if (parts == 1) {
+      entries.push_back(load(pieces, height));
+      return;
+    }
+    const std::size_t before = parts / 2;
+    const std::size_t cut = pieces.size() * before / parts;
+    part(pieces, cut);
+    distribute(pieces.first(cut), before, height, entries);
+    distribute(pieces.subspan(cut), parts - before, height, entries);
+  }
+};
+
+/// One node, or two when there is one entry too many.
+template <class Held>
+std::vector<TreeEntry> nodesOf(std::vector<Entry<Held>> entries) {
+  if (entries.size() <= kFan) return {nodeOf(std::span<const Entry<Held>>(entries))};
+  const std::size_t half = entries.size() / 2;
+  part(std::span<Entry<Held>>(entries), half);
+  const std::span<const Entry<Held>> all(entries);
+  return {nodeOf(all.first(half)), nodeOf(all.subspan(half))};
+}
+
+std::vector<PieceEntry> entriesOf(const Leaf& leaf) {
+  std::vector<PieceEntry> entries;
+  for (std::size_t i = 0; i < leaf.count; ++i) entries.push_back({areaOf(leaf, i), leaf.pieces[i]});
+  return entries;
+}
+
+std::vector<TreeEntry> entriesOf(const Branch& branch) {
+  std::vector<TreeEntry> entries;
+  for (std::size_t i = 0; i < branch.count; ++i) entries.push_back({areaOf(branch, i), branch.below[i]});
+  return entries;
+}
+
+/// The entry that grows least by taking an area in.
+std::size_t bestFor(const Branch& branch, const Area& area) {
+  std::size_t best = 0;
+  std::pair<float, float> least{kInfinite, kInfinite};  // growth, then extent
+  for (std::size_t i = 0; i < branch.count; ++i) {
+    Area grown = areaOf(branch, i);
+    const float extent = grown.extent();
+    grown.include(area);
+    const std::pair<float, float> cost{grown.extent() - extent, extent};
+    if (cost < least) least = cost, best = i;
+  }
+  return best;
+}
+
+std::vector<TreeEntry> inserted(const Node& node, const PieceEntry& piece) {
+  if (node.is_leaf) {
+    auto entries = entriesOf(static_cast<const Leaf&>(node));
+    entries.push_back(piece);
+    return nodesOf(std::move(entries));
+  }
+  const auto& branch = static_cast<const Branch&>(node);
+  auto entries = entriesOf(branch);
+  const std::size_t best = bestFor(branch, piece.area);
+  const auto changed = inserted(*entries[best].held, piece);
+  entries[best] = changed[0];
+  if (changed.size() == 2) entries.push_back(changed[1]);
+  return nodesOf(std::move(entries));
+}
+
+/// The entry without the piece, empty (null) if nothing is left of it; none if the piece is not there.
+std::optional<TreeEntry> removed(const Tree& tree, const PieceEntry& piece) {
+  if (tree->is_leaf) {
+    auto entries = entriesOf(static_cast<const Leaf&>(*tree));
+    const auto gone = std::find_if(entries.begin(), entries.end(), [&](const PieceEntry& e) {
+      return e.held->obstacle == piece.held->obstacle;
+    });
+    if (gone == entries.end()) return std::nullopt;
+    entries.erase(gone);
+    return entries.empty() ? TreeEntry{} : nodeOf(std::span<const PieceEntry>(entries));
+  }
+  auto entries = entriesOf(static_cast<const Branch&>(*tree));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries[i].area.holds(piece.area)) continue;
+    const auto changed = removed(entries[i].held, piece);
+    if (!changed) continue;
+    if (changed->held)
+      entries[i] = *changed;
+    else
+      entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
+    return entries.empty() ? TreeEntry{} : nodeOf(std::span<const TreeEntry>(entries));
+  }
+  return std::nullopt;
+}
+
+/// The rectangle along one edge.
+Rectangle rectangleAlong(std::span<const Point> corners, Point from, Point to) {
+  const double length = std::sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
+  Rectangle box;
+  if (length > 0.0) box.cos = (to.x - from.x) / length, box.sin = (to.y - from.y) / length;
+  Range along{0.0, 0.0};
+  Range across{0.0, 0.0};
+  for (const Point p : corners) {
+    const double dx = p.x - from.x;
+    const double dy = p.y - from.y;
+    const double u = box.cos * dx + box.sin * dy;
+    const double v = box.cos * dy - box.sin * dx;
+    along = hull(along, {u, u});
+    across = hull(across, {v, v});
+  }
+  const double u = 0.5 * (along.min + along.max);
+  const double v = 0.5 * (across.min + across.max);
+  box.center = {from.x + box.cos * u - box.sin * v, from.y + box.sin * u + box.cos * v};
+  box.half_x = 0.5 * along.length();
+  box.half_y = 0.5 * across.length();
+  return box;
+}
+
+}  // namespace
+
+Piece pieceOf(Obstacles::Pointer obstacle, std::vector<Point> corners) {
+  Piece piece{std::move(obstacle), std::move(corners), {}, false};
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+    const Rectangle box =
+        rectangleAlong(piece.corners, piece.corners[i], piece.corners[(i + 1) % piece.corners.size()]);
+    if (const double area = box.half_x * box.half_y; area < smallest) smallest = area, piece.around = box;
+  }
+  return piece;
+}
+
+Tree treeOf(std::vector<Piece> pieces) {
+  if (pieces.empty()) return nullptr;
+  const auto block = std::make_shared<const std::vector<Piece>>(std::move(pieces));
+  std::vector<PieceEntry> entries;
+  entries.reserve(block->size());
+  for (const Piece& piece : *block) entries.push_back({areaOf(piece), PiecePointer(block, &piece)});
+  std::size_t height = 0;
+  for (std::size_t room = kFan; room < entries.size(); room *= kFan) ++height;
+  return Loader::load(entries, height).held;
+}
+
+Tree with(const Tree& tree, PiecePointer piece) {
+  const PieceEntry entry{areaOf(*piece), std::move(piece)};
+  if (!tree) return nodeOf(std::span(&entry, 1)).held;
+  auto nodes = inserted(*tree, entry);
+  return nodes.size() == 1 ? nodes[0].held : nodeOf(std::span<const TreeEntry>(nodes)).held;
+}
+
+Tree without(const Tree& tree, const Piece& piece) {
+  if (!tree) return tree;
+  const auto left = removed(tree, {areaOf(piece), PiecePointer(PiecePointer(), &piece)});
+  if (!left) return tree;
+  Tree root = left->held;
+  // A root with a single branch below it is one level too many.
+  while (root && !root->is_leaf && root->count == 1) root = static_cast<const Branch&>(*root).below[0];
+  return root;
+}
+
+std::size_t heightOf(const Tree& tree) {
+  std::size_t height = 0;
+  for (const Node* node = tree.get(); node != nullptr; ++height)
+    node = node->is_leaf ? nullptr : static_cast<const Branch&>(*node).below[0].get();
+  return height;
+}
+
+}  // namespace underway

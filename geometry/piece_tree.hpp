@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/convex.hpp"
+#include "geometry/obstacles.hpp"
+
+namespace underway {
+
+/// The smallest rectangle, along some edge, that a convex piece fits into.
+struct Rectangle {
+  Point center;      ///< map frame [m]
+  double cos = 1.0;  ///< direction of its x axis in the map frame
+  double sin = 0.0;
+  double half_x = 0.0;  ///< half its size along its own axes [m]
+  double half_y = 0.0;
+};
+
+/// A convex piece of floor that an obstacle takes from a mode.
+struct Piece {
+  Obstacles::Pointer obstacle;
+  std::vector<Point> corners;  ///< counter-clockwise, map frame [m]; at least one
+  Rectangle around;
+  bool is_rectangle = false;  ///< whether `around` is exactly the piece
+};
+using PiecePointer = std::shared_ptr<const Piece>;
+
+/// A piece of given corners, with its rectangle.
+[[nodiscard]] Piece pieceOf(Obstacles::Pointer obstacle, std::vector<Point> corners);
+
+/// As many entries as a node of the tree has at most.
+inline constexpr std::size_t kFan = 8;
+
+/// Axis-aligned areas of a node's entries, field by field for SIMD, rounded outwards; map frame [m].
+struct Areas {
+  alignas(32) std::array<float, kFan> min_x, min_y, max_x, max_y;
+};
+
+/// Pieces lie in a tree of areas (an R-tree, Guttman 1984) whose nodes never change: a changed tree shares
+/// all but the nodes on the way to the change. All leaves are equally deep.
+struct Node {
+  Areas areas;
+  std::uint32_t count = 0;  ///< entries used, from the front
+  bool is_leaf = false;     ///< a Leaf; else a Branch
+};
+/// Null: no pieces.
+using Tree = std::shared_ptr<const Node>;
+
+struct Branch : Node {
+  std::array<Tree, kFan> below;
+};
+
+/// Pieces, and their rectangles field by field for SIMD, relative to an origin near them: so the error of
+/// single precision is small against them, wherever in the map they are.
+struct Leaf : Node {
+  double origin_x = 0.0;  ///< map frame [m]
+  double origin_y = 0.0;
+  float reach = 0.0F;            ///< no piece's coordinates and sizes are larger [m]
+  std::uint32_t rectangles = 0;  ///< bit i: piece i is exactly its rectangle
+  alignas(32) std::array<float, kFan> x, y, cos, sin, half_x, half_y;
+  std::array<PiecePointer, kFan> pieces;
+};
+
+/// A balanced tree with full leaves (overlap-minimising top-down loading, Lee and Lee 2003), in n log n time.
+[[nodiscard]] Tree treeOf(std::vector<Piece> pieces);
+/// With one more.
+[[nodiscard]] Tree with(const Tree& tree, PiecePointer piece);
+/// Without the piece of an obstacle, found by what was flattened from it; the same tree if it is not there.
+[[nodiscard]] Tree without(const Tree& tree, const Piece& piece);
+/// How many levels there are; 0 of an empty tree.
+[[nodiscard]] std::size_t heightOf(const Tree& tree);
+
+}  // namespace underway
