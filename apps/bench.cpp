@@ -1,3 +1,6 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
 #include <memory>
 
 #include "apps/commands.hpp"
@@ -5,6 +8,7 @@
 #include "apps/inputs.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
+#include "bench/geometry.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -13,21 +17,43 @@ namespace {
 constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
+    "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "Examples:\n"
-    "  underway bench scenarios\n"
-    "  underway bench scenarios --json scenarios.json";
+    "  underway bench scenarios --json scenarios.json\n"
+    "  underway bench geometry --quick\n"
+    "  underway bench geometry --grid office.pgm --resolution-m 0.05";
 
 struct Arguments {
   std::string name;
   std::string json;
+  bench::GeometryOptions geometry;
 };
 
+/// As many digits as say something: "0.021", "31.5", "1482", "1.6e-06".
+std::string brief(double number) {
+  const double size = std::abs(number);
+  if (size != 0.0 && (size < 1e-3 || size >= 1e7)) return fmt::format("{:.1e}", number);
+  if (number == std::round(number)) return fixed(number, 0);
+  return fixed(number, size < 10.0 ? 3 : size < 1000.0 ? 1 : 0);
+}
+
 std::string tableOf(const bench::Report& report) {
-  Table table({{"what"}, {"value", Table::Align::kRight}, {"unit"}, {"asked"}, {"met"}});
+  using Align = Table::Align;
+  Table table({{"what"},
+               {"value", Align::kRight},
+               {"unit"},
+               {"against"},
+               {"its value", Align::kRight},
+               {"ratio", Align::kRight},
+               {"asked"},
+               {"met"}});
   for (const bench::Row& row : report.rows)
     table.add({{row.what},
-               {fixed(row.value, row.unit.empty() ? 3 : 1)},
+               {brief(row.value)},
                {row.unit},
+               {row.peer ? row.peer->name : ""},
+               {row.peer ? brief(row.peer->value) : ""},
+               {row.ratio ? brief(*row.ratio) : ""},
                {row.goal},
                {!row.met   ? ""
                 : *row.met ? "yes"
@@ -36,17 +62,20 @@ std::string tableOf(const bench::Report& report) {
   return table.text(wantsColour());
 }
 
-ExitCode run(const Arguments& arguments) {
-  const auto data = findDataFolder();
-  if (!data) {
-    complain(data.error().message);
-    return ExitCode::kInvalidInput;
-  }
+Expected<bench::Report> measure(const Arguments& arguments) {
   ProgressBar bar("measuring");
-  const auto report = bench::scenarios(*data, [&](double share) { bar.show(share); });
+  const auto progress = [&](double share) { bar.show(share); };
+  if (arguments.name == "geometry") return bench::geometry(arguments.geometry, progress);
+  const auto data = findDataFolder();
+  if (!data) return tl::unexpected(data.error());
+  return bench::scenarios(*data, progress);
+}
+
+ExitCode run(const Arguments& arguments) {
+  const auto report = measure(arguments);
   if (!report) {
     complain(report.error().message);
-    return ExitCode::kOther;
+    return exitCodeOf(report.error().code);
   }
   return deliverFigures(tableOf(*report), bench::toJson(*report), arguments.json);
 }
@@ -54,13 +83,18 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command addBenchCommand(CLI::App& program) {
-  CLI::App& command = *program.add_subcommand("bench", "Measure the planner on the maps that come along");
+  CLI::App& command = *program.add_subcommand("bench", "Measure the planner and its parts");
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios"}));
+      ->check(CLI::IsMember({"scenarios", "geometry"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
+  command.add_flag("--quick", arguments->geometry.quick, "geometry: a hundredth of the random cases");
+  command.add_option("--grid", arguments->geometry.grid, "geometry: a large grid map (YAML, or an image)")
+      ->type_name("FILE");
+  command.add_option("--resolution-m", arguments->geometry.resolution_m, "geometry: cell size of an image")
+      ->type_name("R");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

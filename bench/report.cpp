@@ -27,8 +27,10 @@ std::string toJson(const Report& report) {
   using Json = nlohmann::ordered_json;
   Json rows = Json::array();
   for (const Row& row : report.rows) {
-    Json one{{"what", row.what}, {"value", row.value},    {"unit", row.unit},
-             {"peer", nullptr},  {"peer_value", nullptr}, {"ratio", nullptr}};
+    Json one{{"what", row.what}, {"value", row.value}, {"unit", row.unit}};
+    one["peer"] = row.peer ? Json(row.peer->name) : Json(nullptr);
+    one["peer_value"] = row.peer ? Json(row.peer->value) : Json(nullptr);
+    one["ratio"] = row.ratio ? Json(*row.ratio) : Json(nullptr);
     one["goal"] = row.goal.empty() ? Json(nullptr) : Json(row.goal);
     one["met"] = row.met ? Json(*row.met) : Json(nullptr);
     one["seed"] = row.seed;

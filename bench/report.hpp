@@ -11,10 +11,16 @@ struct Row {
   std::string what;  ///< as the table names it
   double value = 0.0;
   std::string unit;
-  std::string goal;           ///< what was asked for: "< 100"; empty if nothing was
-  std::optional<bool> met;    ///< whether the value keeps the goal
-  unsigned long seed = 0;     ///< the first one
+  std::string goal;         ///< what was asked for: "< 100"; empty if nothing was
+  std::optional<bool> met;  ///< whether the value, or the ratio, keeps the goal
+  unsigned long seed = 0;   ///< the first one
   unsigned long samples = 0;  ///< measured
+  struct Peer {
+    std::string name;
+    double value = 0.0;  ///< in the same unit, of the same run
+  };
+  std::optional<Peer> peer;     ///< what it is compared with
+  std::optional<double> ratio;  ///< how many times the peer's value is the value
 };
 
 /// A benchmark's figures.

@@ -52,7 +52,7 @@ Runs runsOf(const Map& map, const std::shared_ptr<const Robot>& robot,
 void addRows(const std::string& map, const Runs& runs, Report& report) {
   const auto add = [&](const std::string& what, double value, const char* unit, const char* goal,
                        std::optional<bool> met) {
-    report.rows.push_back({map + ", cold: " + what, value, unit, goal, met, 1, kSeeds});
+    report.rows.push_back({map + ", cold: " + what, value, unit, goal, met, 1, kSeeds, {}, {}});
   };
   add("solved", static_cast<double>(runs.solved), "of 50 seeds", "50", runs.solved == kSeeds);
   const bool is_timed = map == "scenario3";

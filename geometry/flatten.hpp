@@ -8,6 +8,9 @@
 
 namespace underway {
 
+/// What ends this near to a height reaches it: the rounding of heights.
+inline constexpr double kFlush_m = 1e-11;
+
 /// Whether a box stands upright: neither rolled nor pitched.
 [[nodiscard]] bool isUpright(const OrientedBox& box);
 

@@ -13,39 +13,57 @@ namespace {
 
 constexpr double kAnyHeight_m = 1e6;
 
-/// Keeps what touches: looks closer where it must, and hands on what does to `visit(piece)`.
-template <class Touches, class Visit>
-class TouchSieve : public Sieve {
+/// The exact test of a body or a turn, for the pieces that need it.
+class BodyCloser : public Closer {
  public:
-  TouchSieve(const Touches& touches, const Visit& visit) : touches_(touches), visit_(visit) {}
-  bool keep(const Piece& piece, bool is_certain, std::size_t shape) override {
-    return (is_certain || touches_(piece, shape)) && visit_(piece);
+  explicit BodyCloser(const Prism* bodies) : bodies_(bodies) {}
+  bool touches(const Piece& piece, std::size_t body) override {
+    if (!footprint_ || last_ != body) footprint_ = bodies_[last_ = body].footprint();
+    return areTouching(*footprint_, piece.corners);
   }
 
  private:
-  const Touches& touches_;
-  const Visit& visit_;
+  const Prism* bodies_;
+  std::optional<std::array<Point, 4>> footprint_;
+  std::size_t last_ = 0;  // whose footprint it is
 };
 
-bool stopAtFirst(const Piece&) { return true; }
+class TurningCloser : public Closer {
+ public:
+  explicit TurningCloser(const Turning& turning) : turning_(turning) {}
+  bool touches(const Piece& piece, std::size_t) override { return turning_.touches(piece.corners); }
 
-/// Sifts one body, with its exact footprint at hand once it is needed.
-template <class Visit>
-bool siftBody(const Tree& tree, const Prism& body, const Visit& visit) {
-  std::optional<std::array<Point, 4>> footprint;
-  const auto touches = [&](const Piece& piece, std::size_t) {
-    if (!footprint) footprint = body.footprint();
-    return areTouching(*footprint, piece.corners);
-  };
-  TouchSieve sieve(touches, visit);
-  return sift(tree, body, sieve);
-}
+ private:
+  const Turning& turning_;
+};
 
-template <class Visit>
-bool siftTurning(const Tree& tree, const Turning& turning, const Visit& visit) {
-  const auto touches = [&](const Piece& piece, std::size_t) { return turning.touches(piece.corners); };
-  TouchSieve sieve(touches, visit);
-  return sift(tree, Ring{turning.pivot(), turning.outerRadius(), turning.innerRadius()}, sieve);
+class DiscCloser : public Closer {
+ public:
+  DiscCloser(Point center, double radius_m) : center_(center), radius_m_(radius_m) {}
+  bool touches(const Piece& piece, std::size_t) override {
+    return !(distanceTo(piece.corners, center_) > radius_m_);
+  }
+
+ private:
+  Point center_;
+  double radius_m_;
+};
+
+/// Hands on what touches.
+class VisitSieve : public Sieve {
+ public:
+  VisitSieve(Closer& closer, const Layer::Visit& visit) : closer_(closer), visit_(visit) {}
+  bool keep(const Piece& piece, bool is_certain) override {
+    return (is_certain || closer_.touches(piece, 0)) && visit_(piece);
+  }
+
+ private:
+  Closer& closer_;
+  const Layer::Visit& visit_;
+};
+
+Ring ringOf(const Turning& turning) {
+  return {turning.pivot(), turning.outerRadius(), turning.innerRadius()};
 }
 
 /// An axis-aligned region of the map.
@@ -130,12 +148,14 @@ Layer::Layer(Flatten flatten, const Obstacles& obstacles) : flatten_(std::move(f
 }
 
 Layer Layer::seenIn(Range slab, const Obstacles& obstacles) {
-  return {[slab](const OrientedBox& box) { return flattened(box, slab); }, obstacles};
+  // What ends flush with the slab touches it, however that rounds.
+  const Range seen = slab.grown(kFlush_m);
+  return {[seen](const OrientedBox& box) { return flattened(box, seen); }, obstacles};
 }
 
 Layer Layer::hangingAbove(double height_m, const Obstacles& obstacles) {
   const auto flatten = [height_m](const OrientedBox& box) {
-    const bool is_seen = isUpright(box) && box.center_m.z - 0.5 * box.size_m.z <= height_m;
+    const bool is_seen = isUpright(box) && box.center_m.z - 0.5 * box.size_m.z <= height_m + kFlush_m;
     return is_seen ? std::vector<Point>{} : flattened(box, {height_m, kAnyHeight_m});
   };
   return {flatten, obstacles};
@@ -165,31 +185,36 @@ Layer Layer::changed(const Obstacles& before, const Obstacles& after) const {
   return is_worth_it ? result : Layer(flatten_, after);
 }
 
-bool Layer::touches(const Prism& body) const { return siftBody(tree_, body, stopAtFirst); }
-bool Layer::touches(const Turning& turning) const { return siftTurning(tree_, turning, stopAtFirst); }
-
-bool Layer::touches(Point center, double radius_m) const {
-  const auto touches = [&](const Piece& piece, std::size_t) {
-    return !(distanceTo(piece.corners, center) > radius_m);
-  };
-  TouchSieve sieve(touches, stopAtFirst);
-  return sift(tree_, Ring{center, radius_m, radius_m}, sieve);
-}
-
-void Layer::visitTouched(const Prism& body, const Visit& visit) const { siftBody(tree_, body, visit); }
-void Layer::visitTouched(const Turning& turning, const Visit& visit) const {
-  siftTurning(tree_, turning, visit);
+bool Layer::touches(const Prism& body) const {
+  BodyCloser closer(&body);
+  return underway::touches(tree_, body, closer);
 }
 
 void Layer::touchEach(std::span<const Prism> bodies, std::span<char> touched) const {
-  std::size_t looked_at = bodies.size();
-  std::array<Point, 4> footprint;
-  const auto touches = [&](const Piece& piece, std::size_t body) {
-    if (looked_at != body) footprint = bodies[looked_at = body].footprint();
-    return areTouching(footprint, piece.corners);
-  };
-  TouchSieve sieve(touches, stopAtFirst);
-  siftEach(tree_, bodies, sieve, touched);
+  BodyCloser closer(bodies.data());
+  underway::touchEach(tree_, bodies, closer, touched);
+}
+
+bool Layer::touches(const Turning& turning) const {
+  TurningCloser closer(turning);
+  return underway::touches(tree_, ringOf(turning), closer);
+}
+
+bool Layer::touches(Point center, double radius_m) const {
+  DiscCloser closer(center, radius_m);
+  return underway::touches(tree_, Ring{center, radius_m, radius_m}, closer);
+}
+
+void Layer::visitTouched(const Prism& body, const Visit& visit) const {
+  BodyCloser closer(&body);
+  VisitSieve sieve(closer, visit);
+  sift(tree_, body, sieve);
+}
+
+void Layer::visitTouched(const Turning& turning, const Visit& visit) const {
+  TurningCloser closer(turning);
+  VisitSieve sieve(closer, visit);
+  sift(tree_, ringOf(turning), sieve);
 }
 
 std::optional<Layer::Neighbour> Layer::nearest(const Prism& body, double cap_m) const {

@@ -1,6 +1,7 @@
 #include "geometry/overlap_simd.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -24,6 +25,7 @@ using Vector = hn::Vec<Floats>;
 // over.
 constexpr float kRoundings = 16.0F * 0x1.0p-24F;
 constexpr double kLeast_m = 2.0 * kContact_m;
+constexpr std::size_t kMostBranches = kMostLevels * (kFan - 1) + 1;  // that wait at a time
 
 struct Direction {
   double cos;
@@ -31,38 +33,46 @@ struct Direction {
 };
 
 /// To 1e-8: enough beside single precision, and several times as fast as the library's. Taylor series within
-/// an eighth of a turn, which are off by less than 2e-9 there.
-inline Direction directionOf(double yaw) {
+/// an eighth of a turn, which are off by less than 2e-9 there; then quarter turns, without a branch that
+/// nobody could predict.
+HWY_INLINE Direction directionOf(double yaw) {
   if (!(std::abs(yaw) < 1e3)) return {std::cos(yaw), std::sin(yaw)};
-  const double quarters = yaw * (2.0 / std::numbers::pi);
-  const int quarter = static_cast<int>(quarters + (quarters < 0.0 ? -0.5 : 0.5));
-  const double r = yaw - quarter * (0.5 * std::numbers::pi);
+  constexpr double kRoundsToInteger = 0x1.8p52;  // what is added to it loses its fraction
+  const double shifted = yaw * (2.0 / std::numbers::pi) + kRoundsToInteger;
+  const auto quarter = std::bit_cast<std::uint64_t>(shifted);  // its low bits
+  const double r = yaw - (shifted - kRoundsToInteger) * (0.5 * std::numbers::pi);
   const double r2 = r * r;
   const double s = r * (1.0 + r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880)))));
   const double c =
       1.0 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800)))));
-  const bool is_odd = (quarter & 1) != 0;
-  const double a = is_odd ? s : c;
-  const double b = is_odd ? c : s;
-  return {((quarter + 1) & 2) != 0 ? -a : a, (quarter & 2) != 0 ? -b : b};
+  const auto s_bits = std::bit_cast<std::uint64_t>(s);
+  const auto c_bits = std::bit_cast<std::uint64_t>(c);
+  const std::uint64_t swap = (s_bits ^ c_bits) & (0 - (quarter & 1U));
+  return {std::bit_cast<double>(c_bits ^ swap ^ (((quarter + 1U) & 2U) << 62U)),
+          std::bit_cast<double>(s_bits ^ swap ^ ((quarter & 2U) << 62U))};
 }
-
-/// Rounds outwards by more than a conversion is off.
-inline float below(double value) { return static_cast<float>(value - std::abs(value) * 0x1.0p-22); }
-inline float above(double value) { return static_cast<float>(value + std::abs(value) * 0x1.0p-22); }
 
 struct Box {
   float min_x, min_y, max_x, max_y;
 };
 
-inline std::uint32_t bitsOf(Floats d, hn::Mask<Floats> mask) {
+/// Rounded outwards by more than conversions are off, if the reach is so by itself.
+constexpr double kOutwards = 0x1.0p-22;
+HWY_INLINE Box boxAround(double x, double y, double reach_x, double reach_y) {
+  reach_x += std::abs(x) * kOutwards;
+  reach_y += std::abs(y) * kOutwards;
+  return {static_cast<float>(x - reach_x), static_cast<float>(y - reach_y), static_cast<float>(x + reach_x),
+          static_cast<float>(y + reach_y)};
+}
+
+HWY_INLINE std::uint32_t bitsOf(Floats d, hn::Mask<Floats> mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, mask, bytes);
   return bytes[0] & ((1U << hn::Lanes(d)) - 1U);
 }
 
 /// Bit i: entry i of a node may meet a box. What is not finite meets everything.
-inline std::uint32_t meeting(const Node& node, const Box& box) {
+HWY_INLINE std::uint32_t meeting(const Node& node, const Box& box) {
   const Floats d;
   const Areas& areas = node.areas;
   std::uint32_t apart = 0;
@@ -82,10 +92,13 @@ struct Verdict {
   std::uint32_t overlapping = 0;
 };
 
+constexpr double kMoreThanDiagonal = 0.415;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
+constexpr double kCompact = 3.0;             // times the shorter half: size of a body that is as long as wide
+
 /// A body's footprint, as a rectangle.
 class RectangleTest {
  public:
-  explicit RectangleTest(const Prism& body) {
+  explicit HWY_INLINE RectangleTest(const Prism& body) {
     const Direction direction = directionOf(body.frame.yaw);
     const double mid_x = 0.5 * (body.x.min + body.x.max);
     const double mid_y = 0.5 * (body.y.min + body.y.max);
@@ -94,10 +107,15 @@ class RectangleTest {
     x_ = body.frame.x + direction.cos * mid_x - direction.sin * mid_y;
     y_ = body.frame.y + direction.sin * mid_x + direction.cos * mid_y;
     const double size = std::abs(mid_x) + std::abs(mid_y) + half_x + half_y;
-    const double slack = kLeast_m + 1e-8 * size;
+    const double slack = kLeast_m + kOutwards * size;
     const double reach_x = std::abs(direction.cos) * half_x + std::abs(direction.sin) * half_y + slack;
     const double reach_y = std::abs(direction.sin) * half_x + std::abs(direction.cos) * half_y + slack;
-    box_ = {below(x_ - reach_x), below(y_ - reach_y), above(x_ + reach_x), above(y_ + reach_y)};
+    // Of a compact body a box round its circle is nearly as small, and known before the direction is.
+    const double longer = half_x > half_y ? half_x : half_y;
+    const double shorter = half_x > half_y ? half_y : half_x;
+    const double radius = std::abs(mid_x) + std::abs(mid_y) + longer + kMoreThanDiagonal * shorter + slack;
+    box_ = size < kCompact * shorter ? boxAround(body.frame.x, body.frame.y, radius, radius)
+                                     : boxAround(x_, y_, reach_x, reach_y);
     cos_ = static_cast<float>(direction.cos);
     sin_ = static_cast<float>(direction.sin);
     half_x_ = static_cast<float>(half_x);
@@ -155,8 +173,8 @@ class RingTest {
         y_(ring.center.y),
         outer_(static_cast<float>(ring.outer_m)),
         inner_(static_cast<float>(ring.inner_m)) {
-    const double reach = ring.outer_m + kLeast_m;
-    box_ = {below(x_ - reach), below(y_ - reach), above(x_ + reach), above(y_ + reach)};
+    const double reach = ring.outer_m * (1.0 + kOutwards) + kLeast_m;
+    box_ = boxAround(x_, y_, reach, reach);
   }
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -194,40 +212,73 @@ class RingTest {
 };
 
 template <class Test>
-HWY_INLINE bool siftLeaf(const Leaf& leaf, const Test& test, Sieve& sieve, std::size_t shape) {
-  std::uint32_t left = meeting(leaf, test.box());
-  if (left == 0) return false;
-  const Verdict verdict = test(leaf);
-  left &= ~verdict.apart;
-  const std::uint32_t certain = verdict.overlapping & leaf.rectangles;
+bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
+  std::uint32_t left = meeting(node, test.box());
+  std::uint32_t certain = 0;
+  if (node.is_leaf && left != 0) {
+    const auto& leaf = static_cast<const Leaf&>(node);
+    const Verdict verdict = test(leaf);
+    left &= ~verdict.apart;
+    certain = verdict.overlapping & leaf.rectangles;
+  }
   for (; left != 0; left &= left - 1U) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    if (sieve.keep(*leaf.pieces[i], (certain >> i & 1U) != 0, shape)) return true;
+    const bool stops = node.is_leaf
+                           ? sieve.keep(*static_cast<const Leaf&>(node).pieces[i], (certain >> i & 1U) != 0)
+                           : siftNode(*static_cast<const Branch&>(node).below[i], test, sieve);
+    if (stops) return true;
   }
   return false;
+}
+
+/// Whether any of a leaf's pieces touches. Looks at all of them before it tells: whether the next one does is
+/// a coin's toss, and a branch on it would cost more than the look.
+template <class Test>
+HWY_INLINE bool touchesLeaf(const Leaf& leaf, const Test& test, Closer& closer, std::size_t shape) {
+  const Verdict verdict = test(leaf);
+  const std::uint32_t left = ~verdict.apart & ((1U << leaf.count) - 1U);
+  const std::uint32_t certain = left & verdict.overlapping & leaf.rectangles;
+  if (HWY_UNLIKELY((left & ~certain) != 0) && certain == 0)
+    for (std::uint32_t unsure = left; unsure != 0; unsure &= unsure - 1U)
+      if (closer.touches(*leaf.pieces[static_cast<std::size_t>(std::countr_zero(unsure))], shape)) return true;
+  return certain != 0;
 }
 
 template <class Test>
-bool siftNode(const Node& node, const Test& test, Sieve& sieve, std::size_t shape) {
-  if (node.is_leaf) return siftLeaf(static_cast<const Leaf&>(node), test, sieve, shape);
-  const auto& branch = static_cast<const Branch&>(node);
-  for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
-    const Node& below = *branch.below[static_cast<std::size_t>(std::countr_zero(left))];
-    if (below.is_leaf ? siftLeaf(static_cast<const Leaf&>(below), test, sieve, shape)
-                      : siftNode(below, test, sieve, shape))
-      return true;
+HWY_INLINE bool touchesTree(const Node& root, const Test& test, Closer& closer, std::size_t shape) {
+  if (root.is_leaf) return touchesLeaf(static_cast<const Leaf&>(root), test, closer, shape);
+  std::array<const Branch*, kMostBranches> waiting;
+  std::size_t count = 0;
+  waiting[count++] = static_cast<const Branch*>(&root);
+  bool touches = false;
+  while (count > 0 && !touches) {
+    const Branch& branch = *waiting[--count];
+    for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
+      const Node& below = *branch.below[static_cast<std::size_t>(std::countr_zero(left))];
+      if (below.is_leaf)
+        touches |= touchesLeaf(static_cast<const Leaf&>(below), test, closer, shape);
+      else
+        waiting[count++] = static_cast<const Branch*>(&below);
+    }
   }
-  return false;
+  return touches;
 }
 
-bool siftRing(const Node& root, const Ring& ring, Sieve& sieve) {
-  return siftNode(root, RingTest(ring), sieve, 0);
-}
-
-void siftBodies(const Node& root, std::span<const Prism> bodies, Sieve& sieve, std::span<char> stopped) {
+void touchBodies(const Node& root, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    stopped[i] = siftNode(root, RectangleTest(bodies[i]), sieve, i) ? 1 : 0;
+    touched[i] = touchesTree(root, RectangleTest(bodies[i]), closer, i) ? 1 : 0;
 }
+
+bool touchBody(const Node& root, const Prism& body, Closer& closer) {
+  return touchesTree(root, RectangleTest(body), closer, 0);
+}
+
+bool touchRing(const Node& root, const Ring& ring, Closer& closer) {
+  return touchesTree(root, RingTest(ring), closer, 0);
+}
+
+void siftBody(const Node& root, const Prism& body, Sieve& sieve) { siftNode(root, RectangleTest(body), sieve); }
+void siftRing(const Node& root, const Ring& ring, Sieve& sieve) { siftNode(root, RingTest(ring), sieve); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace underway
@@ -236,24 +287,33 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace underway {
 
+HWY_EXPORT(touchBodies);
+HWY_EXPORT(touchBody);
+HWY_EXPORT(touchRing);
+HWY_EXPORT(siftBody);
 HWY_EXPORT(siftRing);
-HWY_EXPORT(siftBodies);
 
-bool sift(const Tree& tree, const Ring& ring, Sieve& sieve) {
-  return tree && HWY_DYNAMIC_DISPATCH(siftRing)(*tree, ring, sieve);
-}
-
-bool sift(const Tree& tree, const Prism& body, Sieve& sieve) {
-  char stopped = 0;
-  siftEach(tree, std::span(&body, 1), sieve, std::span(&stopped, 1));
-  return stopped != 0;
-}
-
-void siftEach(const Tree& tree, std::span<const Prism> bodies, Sieve& sieve, std::span<char> stopped) {
+void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
   if (tree)
-    HWY_DYNAMIC_DISPATCH(siftBodies)(*tree, bodies, sieve, stopped);
+    HWY_DYNAMIC_DISPATCH(touchBodies)(*tree, bodies, closer, touched);
   else
-    std::fill(stopped.begin(), stopped.end(), 0);
+    std::fill(touched.begin(), touched.end(), 0);
+}
+
+bool touches(const Tree& tree, const Prism& body, Closer& closer) {
+  return tree && HWY_DYNAMIC_DISPATCH(touchBody)(*tree, body, closer);
+}
+
+bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
+  return tree && HWY_DYNAMIC_DISPATCH(touchRing)(*tree, ring, closer);
+}
+
+void sift(const Tree& tree, const Prism& body, Sieve& sieve) {
+  if (tree) HWY_DYNAMIC_DISPATCH(siftBody)(*tree, body, sieve);
+}
+
+void sift(const Tree& tree, const Ring& ring, Sieve& sieve) {
+  if (tree) HWY_DYNAMIC_DISPATCH(siftRing)(*tree, ring, sieve);
 }
 
 }  // namespace underway

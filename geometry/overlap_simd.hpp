@@ -8,15 +8,6 @@
 
 namespace underway {
 
-/// What to do with the pieces that a fast look at the tree cannot tell to be apart from a shape.
-class Sieve {
- public:
-  virtual ~Sieve() = default;
-  /// A piece that overlaps for certain, or (`is_certain` false) one that a closer look must tell. `shape` says
-  /// which of the shapes it is, if there are many. Return true to stop.
-  virtual bool keep(const Piece& piece, bool is_certain, std::size_t shape) = 0;
-};
-
 /// All that may lie between two circles about a point: what is certainly outside the outer one is apart, what
 /// is certainly inside the inner one overlaps. [m], map frame.
 struct Ring {
@@ -25,16 +16,36 @@ struct Ring {
   double inner_m = 0.0;
 };
 
-/// Sifts a tree's pieces in single precision, eight at a time: all pieces that are apart from the shape by
-/// more than the error of single precision fall through, all others are kept. Returns whether the sieve
-/// stopped it. Made for each instruction set that Highway knows of and chosen when the program runs; since
-/// what is near contact is never decided here, all give the same answers.
-///
-/// Thread safety: may be called from any number of threads.
-bool sift(const Tree& tree, const Prism& body, Sieve& sieve);
-bool sift(const Tree& tree, const Ring& ring, Sieve& sieve);
+/// Tells in double precision what single precision cannot.
+class Closer {
+ public:
+  virtual ~Closer() = default;
+  /// Whether a piece touches the shape; `shape` says which, if there are many.
+  virtual bool touches(const Piece& piece, std::size_t shape) = 0;
+};
 
-/// For many bodies in one call; `stopped[i]` becomes whether the sieve stopped body i.
-void siftEach(const Tree& tree, std::span<const Prism> bodies, Sieve& sieve, std::span<char> stopped);
+/// Takes the pieces that a fast look at the tree cannot tell to be apart from a shape.
+class Sieve {
+ public:
+  virtual ~Sieve() = default;
+  /// A piece that overlaps for certain, or (`is_certain` false) one that a closer look must tell. Return true
+  /// to stop.
+  virtual bool keep(const Piece& piece, bool is_certain) = 0;
+};
+
+// These look at a tree's pieces in single precision, eight at a time. What is nearer to contact than single
+// precision can tell is left to the closer or the sieve: so all instruction sets give the same answers. The
+// code is made for each that Highway knows of, and chosen when the program runs.
+//
+// Thread safety: may be called from any number of threads.
+
+/// Whether any piece touches the shape.
+[[nodiscard]] bool touches(const Tree& tree, const Prism& body, Closer& closer);
+[[nodiscard]] bool touches(const Tree& tree, const Ring& ring, Closer& closer);
+/// `touched[i]` becomes whether any piece touches body i.
+void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched);
+/// Gives the sieve all pieces that may touch, until it stops.
+void sift(const Tree& tree, const Prism& body, Sieve& sieve);
+void sift(const Tree& tree, const Ring& ring, Sieve& sieve);
 
 }  // namespace underway

@@ -298,11 +298,4 @@ Tree without(const Tree& tree, const Piece& piece) {
   return root;
 }
 
-std::size_t heightOf(const Tree& tree) {
-  std::size_t height = 0;
-  for (const Node* node = tree.get(); node != nullptr; ++height)
-    node = node->is_leaf ? nullptr : static_cast<const Branch&>(*node).below[0].get();
-  return height;
-}
-
 }  // namespace underway

@@ -71,7 +71,7 @@ struct Leaf : Node {
 [[nodiscard]] Tree with(const Tree& tree, PiecePointer piece);
 /// Without the piece of an obstacle, found by what was flattened from it; the same tree if it is not there.
 [[nodiscard]] Tree without(const Tree& tree, const Piece& piece);
-/// How many levels there are; 0 of an empty tree.
-[[nodiscard]] std::size_t heightOf(const Tree& tree);
+/// How many levels a tree has at most: enough for 4^24 pieces.
+inline constexpr std::size_t kMostLevels = 24;
 
 }  // namespace underway
