@@ -79,7 +79,7 @@ Region regionAround(ConvexView points) {
   return region;
 }
 
-/// No entry's pieces are nearer to a region than this.
+/// No entry's pieces are nearer to a region than this, which is relative to the tree's origin too.
 double leastGap(const Areas& areas, std::size_t i, const Region& region) {
   const auto apart = [](double a_min, double a_max, double b_min, double b_max) {
     return std::max({0.0, a_min - b_max, b_min - a_max});
@@ -98,9 +98,10 @@ class NearestSearch {
 
   void visit(const Node& node) {
     std::array<std::pair<double, std::size_t>, kFan> order;
-    for (std::size_t i = 0; i < node.count; ++i) order[i] = {leastGap(node.areas, i, region_), i};
-    std::sort(order.begin(), order.begin() + node.count);
-    for (std::size_t k = 0; k < node.count; ++k) {
+    const std::size_t count = node.count();
+    for (std::size_t i = 0; i < count; ++i) order[i] = {leastGap(node.areas, i, region_), i};
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    for (std::size_t k = 0; k < count; ++k) {
       const auto [least, i] = order[k];
       if (least > best_.gap.distance_m) return;
       if (node.is_leaf)
@@ -131,9 +132,10 @@ class NearestSearch {
 template <class GapTo>
 std::optional<Layer::Neighbour> nearestIn(const Tree& tree, const Region& region, const GapTo& gap_to,
                                           double cap_m) {
-  if (!tree) return std::nullopt;
-  NearestSearch search(region, gap_to, cap_m);
-  search.visit(*tree);
+  if (!tree.root) return std::nullopt;
+  const auto [x, y] = tree.origin;
+  NearestSearch search({region.min_x - x, region.min_y - y, region.max_x - x, region.max_y - y}, gap_to, cap_m);
+  search.visit(*tree.root);
   return search.result();
 }
 

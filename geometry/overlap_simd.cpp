@@ -21,49 +21,39 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kFan>;  // as many lanes as there are, up to a node's entries
 using Vector = hn::Vec<Floats>;
 
-// How many roundings in single precision, relative to the lengths that go in, a gap is at most made of; twice
-// over.
+// What a gap may be off, relative to the coordinates and sizes that it is made of: about eight roundings in
+// single precision, and twice that to be safe.
 constexpr float kRoundings = 16.0F * 0x1.0p-24F;
-constexpr double kLeast_m = 2.0 * kContact_m;
+constexpr float kLeast_m = 2e-9F;  // twice a contact
 constexpr std::size_t kMostBranches = kMostLevels * (kFan - 1) + 1;  // that wait at a time
 
 struct Direction {
-  double cos;
-  double sin;
+  float cos;
+  float sin;
 };
 
-/// To 1e-8: enough beside single precision, and several times as fast as the library's. Taylor series within
-/// an eighth of a turn, which are off by less than 2e-9 there; then quarter turns, without a branch that
-/// nobody could predict.
+/// To single precision, and several times as fast as the library's: Taylor series within an eighth of a turn,
+/// which are off by less than 3e-8 there; then quarter turns, without a branch that nobody could predict.
 HWY_INLINE Direction directionOf(double yaw) {
-  if (!(std::abs(yaw) < 1e3)) return {std::cos(yaw), std::sin(yaw)};
+  if (!(std::abs(yaw) < 1e3)) return {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw))};
   constexpr double kRoundsToInteger = 0x1.8p52;  // what is added to it loses its fraction
   const double shifted = yaw * (2.0 / std::numbers::pi) + kRoundsToInteger;
-  const auto quarter = std::bit_cast<std::uint64_t>(shifted);  // its low bits
-  const double r = yaw - (shifted - kRoundsToInteger) * (0.5 * std::numbers::pi);
-  const double r2 = r * r;
-  const double s = r * (1.0 + r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880)))));
-  const double c =
-      1.0 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800)))));
-  const auto s_bits = std::bit_cast<std::uint64_t>(s);
-  const auto c_bits = std::bit_cast<std::uint64_t>(c);
-  const std::uint64_t swap = (s_bits ^ c_bits) & (0 - (quarter & 1U));
-  return {std::bit_cast<double>(c_bits ^ swap ^ (((quarter + 1U) & 2U) << 62U)),
-          std::bit_cast<double>(s_bits ^ swap ^ ((quarter & 2U) << 62U))};
+  const auto quarter = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(shifted));  // its low bits
+  const auto r = static_cast<float>(yaw - (shifted - kRoundsToInteger) * (0.5 * std::numbers::pi));
+  const float r2 = r * r;
+  const float s = r * (1.0F + r2 * (-1.0F / 6 + r2 * (1.0F / 120 + r2 * (-1.0F / 5040))));
+  const float c = 1.0F + r2 * (-0.5F + r2 * (1.0F / 24 + r2 * (-1.0F / 720 + r2 * (1.0F / 40320))));
+  const auto s_bits = std::bit_cast<std::uint32_t>(s);
+  const auto c_bits = std::bit_cast<std::uint32_t>(c);
+  const std::uint32_t swap = (s_bits ^ c_bits) & (0U - (quarter & 1U));
+  return {std::bit_cast<float>(c_bits ^ swap ^ (((quarter + 1U) & 2U) << 30U)),
+          std::bit_cast<float>(s_bits ^ swap ^ ((quarter & 2U) << 30U))};
 }
 
+/// Axis-aligned, relative to a tree's origin.
 struct Box {
   float min_x, min_y, max_x, max_y;
 };
-
-/// Rounded outwards by more than conversions are off, if the reach is so by itself.
-constexpr double kOutwards = 0x1.0p-22;
-HWY_INLINE Box boxAround(double x, double y, double reach_x, double reach_y) {
-  reach_x += std::abs(x) * kOutwards;
-  reach_y += std::abs(y) * kOutwards;
-  return {static_cast<float>(x - reach_x), static_cast<float>(y - reach_y), static_cast<float>(x + reach_x),
-          static_cast<float>(y + reach_y)};
-}
 
 HWY_INLINE std::uint32_t bitsOf(Floats d, hn::Mask<Floats> mask) {
   std::uint8_t bytes[8] = {};
@@ -83,7 +73,7 @@ HWY_INLINE std::uint32_t meeting(const Node& node, const Box& box) {
                                  hn::Lt(hn::Load(d, areas.max_y.data() + i), hn::Set(d, box.min_y)));
     apart |= bitsOf(d, hn::Or(beyond_x, beyond_y)) << i;
   }
-  return ~apart & ((1U << node.count) - 1U);
+  return ~apart & node.used;
 }
 
 /// Bits of a leaf's pieces: certainly apart, certainly overlapping; neither where rounding may decide.
@@ -92,35 +82,38 @@ struct Verdict {
   std::uint32_t overlapping = 0;
 };
 
-constexpr double kMoreThanDiagonal = 0.415;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
-constexpr double kCompact = 3.0;             // times the shorter half: size of a body that is as long as wide
+constexpr float kMoreThanDiagonal = 0.415F;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
+constexpr float kCompact = 3.0F;             // times the shorter half: size of a body that is as long as wide
 
 /// A body's footprint, as a rectangle.
 class RectangleTest {
  public:
-  explicit HWY_INLINE RectangleTest(const Prism& body) {
+  HWY_INLINE RectangleTest(const Prism& body, Point origin) {
+    const auto at_x = static_cast<float>(body.frame.x - origin.x);
+    const auto at_y = static_cast<float>(body.frame.y - origin.y);
+    const auto mid_x = static_cast<float>(0.5 * (body.x.min + body.x.max));
+    const auto mid_y = static_cast<float>(0.5 * (body.y.min + body.y.max));
+    half_x_ = static_cast<float>(0.5 * (body.x.max - body.x.min));
+    half_y_ = static_cast<float>(0.5 * (body.y.max - body.y.min));
     const Direction direction = directionOf(body.frame.yaw);
-    const double mid_x = 0.5 * (body.x.min + body.x.max);
-    const double mid_y = 0.5 * (body.y.min + body.y.max);
-    const double half_x = 0.5 * (body.x.max - body.x.min);
-    const double half_y = 0.5 * (body.y.max - body.y.min);
-    x_ = body.frame.x + direction.cos * mid_x - direction.sin * mid_y;
-    y_ = body.frame.y + direction.sin * mid_x + direction.cos * mid_y;
-    const double size = std::abs(mid_x) + std::abs(mid_y) + half_x + half_y;
-    const double slack = kLeast_m + kOutwards * size;
-    const double reach_x = std::abs(direction.cos) * half_x + std::abs(direction.sin) * half_y + slack;
-    const double reach_y = std::abs(direction.sin) * half_x + std::abs(direction.cos) * half_y + slack;
+    cos_ = direction.cos;
+    sin_ = direction.sin;
+    x_ = at_x + cos_ * mid_x - sin_ * mid_y;
+    y_ = at_y + sin_ * mid_x + cos_ * mid_y;
+    const float offset = std::abs(mid_x) + std::abs(mid_y);
+    const float size = offset + half_x_ + half_y_;
+    error_ = kRoundings * (std::abs(at_x) + std::abs(at_y) + size) + kLeast_m;
     // Of a compact body a box round its circle is nearly as small, and known before the direction is.
-    const double longer = half_x > half_y ? half_x : half_y;
-    const double shorter = half_x > half_y ? half_y : half_x;
-    const double radius = std::abs(mid_x) + std::abs(mid_y) + longer + kMoreThanDiagonal * shorter + slack;
-    box_ = size < kCompact * shorter ? boxAround(body.frame.x, body.frame.y, radius, radius)
-                                     : boxAround(x_, y_, reach_x, reach_y);
-    cos_ = static_cast<float>(direction.cos);
-    sin_ = static_cast<float>(direction.sin);
-    half_x_ = static_cast<float>(half_x);
-    half_y_ = static_cast<float>(half_y);
-    size_ = static_cast<float>(size);
+    const float shorter = half_x_ < half_y_ ? half_x_ : half_y_;
+    const float longer = half_x_ < half_y_ ? half_y_ : half_x_;
+    if (size < kCompact * shorter) {
+      const float reach = offset + longer + kMoreThanDiagonal * shorter + error_;
+      box_ = {at_x - reach, at_y - reach, at_x + reach, at_y + reach};
+    } else {
+      const float reach_x = std::abs(cos_) * half_x_ + std::abs(sin_) * half_y_ + error_;
+      const float reach_y = std::abs(sin_) * half_x_ + std::abs(cos_) * half_y_ + error_;
+      box_ = {x_ - reach_x, y_ - reach_y, x_ + reach_x, y_ + reach_y};
+    }
   }
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -128,16 +121,14 @@ class RectangleTest {
   /// Separating axes: the two of the body and the two of each piece.
   [[nodiscard]] HWY_INLINE Verdict operator()(const Leaf& leaf) const {
     const Floats d;
-    const auto at_x = static_cast<float>(x_ - leaf.origin_x);
-    const auto at_y = static_cast<float>(y_ - leaf.origin_y);
-    const float error =
-        kRoundings * (leaf.reach + std::abs(at_x) + std::abs(at_y) + size_) + static_cast<float>(kLeast_m);
+    const Vector at_x = hn::Set(d, x_), at_y = hn::Set(d, y_);
+    const Vector error = hn::Set(d, kRoundings * leaf.extent + error_);
     const Vector own_c = hn::Set(d, cos_), own_s = hn::Set(d, sin_);
     const Vector own_x = hn::Set(d, half_x_), own_y = hn::Set(d, half_y_);
     Verdict verdict;
     for (std::size_t i = 0; i < kFan; i += hn::Lanes(d)) {
-      const Vector dx = hn::Sub(hn::Load(d, leaf.x.data() + i), hn::Set(d, at_x));
-      const Vector dy = hn::Sub(hn::Load(d, leaf.y.data() + i), hn::Set(d, at_y));
+      const Vector dx = hn::Sub(hn::Load(d, leaf.x.data() + i), at_x);
+      const Vector dy = hn::Sub(hn::Load(d, leaf.y.data() + i), at_y);
       const Vector c = hn::Load(d, leaf.cos.data() + i), s = hn::Load(d, leaf.sin.data() + i);
       const Vector half_x = hn::Load(d, leaf.half_x.data() + i), half_y = hn::Load(d, leaf.half_y.data() + i);
       // The cosine and sine of the angle between the two.
@@ -152,29 +143,30 @@ class RectangleTest {
       const Vector gap_3 = hn::Sub(ahead, hn::MulAdd(own_y, between_s, hn::MulAdd(own_x, between_c, half_x)));
       const Vector gap_4 = hn::Sub(aside, hn::MulAdd(own_y, between_c, hn::MulAdd(own_x, between_s, half_y)));
       const Vector gap = hn::Max(hn::Max(gap_1, gap_2), hn::Max(gap_3, gap_4));
-      verdict.apart |= bitsOf(d, hn::Gt(gap, hn::Set(d, error))) << i;
-      verdict.overlapping |= bitsOf(d, hn::Lt(gap, hn::Set(d, -error))) << i;
+      verdict.apart |= bitsOf(d, hn::Gt(gap, error)) << i;
+      verdict.overlapping |= bitsOf(d, hn::Gt(hn::Neg(error), gap)) << i;
     }
     return verdict;
   }
 
  private:
-  double x_, y_;  // the middle
+  float x_, y_;  // the middle, from the tree's origin
   float cos_, sin_, half_x_, half_y_;
-  float size_;  // of the numbers that go in
+  float error_;  // the body's part of what a gap may be off
   Box box_;
 };
 
 /// What lies between two circles.
 class RingTest {
  public:
-  explicit RingTest(const Ring& ring)
-      : x_(ring.center.x),
-        y_(ring.center.y),
+  RingTest(const Ring& ring, Point origin)
+      : x_(static_cast<float>(ring.center.x - origin.x)),
+        y_(static_cast<float>(ring.center.y - origin.y)),
         outer_(static_cast<float>(ring.outer_m)),
-        inner_(static_cast<float>(ring.inner_m)) {
-    const double reach = ring.outer_m * (1.0 + kOutwards) + kLeast_m;
-    box_ = boxAround(x_, y_, reach, reach);
+        inner_(static_cast<float>(ring.inner_m)),
+        error_(kRoundings * (std::abs(x_) + std::abs(y_) + outer_) + kLeast_m) {
+    const float reach = outer_ + error_;
+    box_ = {x_ - reach, y_ - reach, x_ + reach, y_ + reach};
   }
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -182,17 +174,15 @@ class RingTest {
   /// By the distance of each piece's rectangle from the middle.
   [[nodiscard]] HWY_INLINE Verdict operator()(const Leaf& leaf) const {
     const Floats d;
-    const auto at_x = static_cast<float>(x_ - leaf.origin_x);
-    const auto at_y = static_cast<float>(y_ - leaf.origin_y);
-    const float error =
-        kRoundings * (leaf.reach + std::abs(at_x) + std::abs(at_y) + outer_) + static_cast<float>(kLeast_m);
+    const Vector at_x = hn::Set(d, x_), at_y = hn::Set(d, y_);
+    const float error = kRoundings * leaf.extent + error_;
     const Vector outside = hn::Set(d, (outer_ + error) * (outer_ + error));
     const float within = inner_ - error;
     const Vector inside = hn::Set(d, within > 0.0F ? within * within : 0.0F);
     Verdict verdict;
     for (std::size_t i = 0; i < kFan; i += hn::Lanes(d)) {
-      const Vector dx = hn::Sub(hn::Load(d, leaf.x.data() + i), hn::Set(d, at_x));
-      const Vector dy = hn::Sub(hn::Load(d, leaf.y.data() + i), hn::Set(d, at_y));
+      const Vector dx = hn::Sub(hn::Load(d, leaf.x.data() + i), at_x);
+      const Vector dy = hn::Sub(hn::Load(d, leaf.y.data() + i), at_y);
       const Vector c = hn::Load(d, leaf.cos.data() + i), s = hn::Load(d, leaf.sin.data() + i);
       const Vector ahead = hn::Sub(hn::Abs(hn::MulAdd(c, dx, hn::Mul(s, dy))), hn::Load(d, leaf.half_x.data() + i));
       const Vector aside = hn::Sub(hn::Abs(hn::MulSub(c, dy, hn::Mul(s, dx))), hn::Load(d, leaf.half_y.data() + i));
@@ -206,8 +196,9 @@ class RingTest {
   }
 
  private:
-  double x_, y_;
+  float x_, y_;  // the middle, from the tree's origin
   float outer_, inner_;
+  float error_;  // the ring's part of what a gap may be off
   Box box_;
 };
 
@@ -236,7 +227,7 @@ bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
 template <class Test>
 HWY_INLINE bool touchesLeaf(const Leaf& leaf, const Test& test, Closer& closer, std::size_t shape) {
   const Verdict verdict = test(leaf);
-  const std::uint32_t left = ~verdict.apart & ((1U << leaf.count) - 1U);
+  const std::uint32_t left = ~verdict.apart & leaf.used;
   const std::uint32_t certain = left & verdict.overlapping & leaf.rectangles;
   if (HWY_UNLIKELY((left & ~certain) != 0) && certain == 0)
     for (std::uint32_t unsure = left; unsure != 0; unsure &= unsure - 1U)
@@ -264,21 +255,26 @@ HWY_INLINE bool touchesTree(const Node& root, const Test& test, Closer& closer, 
   return touches;
 }
 
-void touchBodies(const Node& root, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
+void touchBodies(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    touched[i] = touchesTree(root, RectangleTest(bodies[i]), closer, i) ? 1 : 0;
+    touched[i] = touchesTree(*tree.root, RectangleTest(bodies[i], tree.origin), closer, i) ? 1 : 0;
 }
 
-bool touchBody(const Node& root, const Prism& body, Closer& closer) {
-  return touchesTree(root, RectangleTest(body), closer, 0);
+bool touchBody(const Tree& tree, const Prism& body, Closer& closer) {
+  return touchesTree(*tree.root, RectangleTest(body, tree.origin), closer, 0);
 }
 
-bool touchRing(const Node& root, const Ring& ring, Closer& closer) {
-  return touchesTree(root, RingTest(ring), closer, 0);
+bool touchRing(const Tree& tree, const Ring& ring, Closer& closer) {
+  return touchesTree(*tree.root, RingTest(ring, tree.origin), closer, 0);
 }
 
-void siftBody(const Node& root, const Prism& body, Sieve& sieve) { siftNode(root, RectangleTest(body), sieve); }
-void siftRing(const Node& root, const Ring& ring, Sieve& sieve) { siftNode(root, RingTest(ring), sieve); }
+void siftBody(const Tree& tree, const Prism& body, Sieve& sieve) {
+  siftNode(*tree.root, RectangleTest(body, tree.origin), sieve);
+}
+
+void siftRing(const Tree& tree, const Ring& ring, Sieve& sieve) {
+  siftNode(*tree.root, RingTest(ring, tree.origin), sieve);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace underway
@@ -293,27 +289,27 @@ HWY_EXPORT(touchRing);
 HWY_EXPORT(siftBody);
 HWY_EXPORT(siftRing);
 
+bool touches(const Tree& tree, const Prism& body, Closer& closer) {
+  return tree.root && HWY_DYNAMIC_DISPATCH(touchBody)(tree, body, closer);
+}
+
+bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
+  return tree.root && HWY_DYNAMIC_DISPATCH(touchRing)(tree, ring, closer);
+}
+
 void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
-  if (tree)
-    HWY_DYNAMIC_DISPATCH(touchBodies)(*tree, bodies, closer, touched);
+  if (tree.root)
+    HWY_DYNAMIC_DISPATCH(touchBodies)(tree, bodies, closer, touched);
   else
     std::fill(touched.begin(), touched.end(), 0);
 }
 
-bool touches(const Tree& tree, const Prism& body, Closer& closer) {
-  return tree && HWY_DYNAMIC_DISPATCH(touchBody)(*tree, body, closer);
-}
-
-bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
-  return tree && HWY_DYNAMIC_DISPATCH(touchRing)(*tree, ring, closer);
-}
-
 void sift(const Tree& tree, const Prism& body, Sieve& sieve) {
-  if (tree) HWY_DYNAMIC_DISPATCH(siftBody)(*tree, body, sieve);
+  if (tree.root) HWY_DYNAMIC_DISPATCH(siftBody)(tree, body, sieve);
 }
 
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve) {
-  if (tree) HWY_DYNAMIC_DISPATCH(siftRing)(*tree, ring, sieve);
+  if (tree.root) HWY_DYNAMIC_DISPATCH(siftRing)(tree, ring, sieve);
 }
 
 }  // namespace underway

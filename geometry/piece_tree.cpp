@@ -39,10 +39,14 @@ float roundedDown(double value) {
 }
 float roundedUp(double value) { return -roundedDown(-value); }
 
-Area areaOf(const Piece& piece) {
+/// Relative to an origin.
+Area areaOf(const Piece& piece, Point origin) {
   Area area;
-  for (const Point p : piece.corners)
-    area.include({roundedDown(p.x), roundedDown(p.y), roundedUp(p.x), roundedUp(p.y)});
+  for (const Point p : piece.corners) {
+    const double x = p.x - origin.x;
+    const double y = p.y - origin.y;
+    area.include({roundedDown(x), roundedDown(y), roundedUp(x), roundedUp(y)});
+  }
   return area;
 }
 
@@ -52,21 +56,21 @@ Area areaOf(const Node& node, std::size_t i) {
 
 Area areaOf(const Node& node) {
   Area area;
-  for (std::size_t i = 0; i < node.count; ++i) area.include(areaOf(node, i));
+  for (std::size_t i = 0; i < node.count(); ++i) area.include(areaOf(node, i));
   return area;
 }
 
-/// What a node holds, with its area: a piece in a leaf, a tree in a branch.
+/// What a node holds, with its area: a piece in a leaf, a node in a branch.
 template <class Held>
 struct Entry {
   Area area;
   Held held;
 };
 using PieceEntry = Entry<PiecePointer>;
-using TreeEntry = Entry<Tree>;
+using NodeEntry = Entry<NodePointer>;
 
 void setAreas(Node& node, std::span<const Area> areas) {
-  node.count = static_cast<std::uint32_t>(areas.size());
+  node.used = (1U << areas.size()) - 1U;
   for (std::size_t i = 0; i < kFan; ++i) {
     const Area area = i < areas.size() ? areas[i] : Area{};
     node.areas.min_x[i] = area.min_x;
@@ -84,36 +88,51 @@ std::vector<Area> areasOf(std::span<const Entry<Held>> entries) {
   return areas;
 }
 
-TreeEntry nodeOf(std::span<const PieceEntry> entries) {
-  auto leaf = std::make_shared<Leaf>();
-  setAreas(*leaf, areasOf(entries));
-  leaf->is_leaf = true;
-  const Area all = areaOf(*leaf);
-  leaf->origin_x = static_cast<double>(all.middleX());
-  leaf->origin_y = static_cast<double>(all.middleY());
-  leaf->x = leaf->y = leaf->cos = leaf->sin = leaf->half_x = leaf->half_y = {};
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Rectangle& around = entries[i].held->around;
-    leaf->x[i] = static_cast<float>(around.center.x - leaf->origin_x);
-    leaf->y[i] = static_cast<float>(around.center.y - leaf->origin_y);
-    leaf->cos[i] = static_cast<float>(around.cos);
-    leaf->sin[i] = static_cast<float>(around.sin);
-    leaf->half_x[i] = static_cast<float>(around.half_x);
-    leaf->half_y[i] = static_cast<float>(around.half_y);
-    leaf->reach = std::max(
-        leaf->reach, std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] + leaf->half_y[i]);
-    if (entries[i].held->is_rectangle) leaf->rectangles |= 1U << i;
-    leaf->pieces[i] = entries[i].held;
-  }
-  return {all, leaf};
-}
+/// Makes nodes, of pieces relative to an origin.
+class Maker {
+ public:
+  explicit Maker(Point origin) : origin_(origin) {}
 
-TreeEntry nodeOf(std::span<const TreeEntry> entries) {
-  auto branch = std::make_shared<Branch>();
-  setAreas(*branch, areasOf(entries));
-  for (std::size_t i = 0; i < entries.size(); ++i) branch->below[i] = entries[i].held;
-  return {areaOf(*branch), branch};
-}
+  [[nodiscard]] PieceEntry entryOf(PiecePointer piece) const {
+    const Area area = areaOf(*piece, origin_);
+    return {area, std::move(piece)};
+  }
+
+  [[nodiscard]] NodeEntry nodeOf(std::span<const PieceEntry> entries) const {
+    auto leaf = std::make_shared<Leaf>();
+    setAreas(*leaf, areasOf(entries));
+    leaf->is_leaf = true;
+    leaf->x = leaf->y = leaf->cos = leaf->sin = leaf->half_x = leaf->half_y = {};
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const Rectangle& around = entries[i].held->around;
+      leaf->x[i] = static_cast<float>(around.center.x - origin_.x);
+      leaf->y[i] = static_cast<float>(around.center.y - origin_.y);
+      leaf->cos[i] = static_cast<float>(around.cos);
+      leaf->sin[i] = static_cast<float>(around.sin);
+      leaf->half_x[i] = static_cast<float>(around.half_x);
+      leaf->half_y[i] = static_cast<float>(around.half_y);
+      leaf->extent = std::max(leaf->extent, std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] +
+                                                leaf->half_y[i]);
+      if (entries[i].held->is_rectangle) leaf->rectangles |= 1U << i;
+      leaf->pieces[i] = entries[i].held;
+    }
+    return {areaOf(*leaf), leaf};
+  }
+
+  [[nodiscard]] NodeEntry nodeOf(std::span<const NodeEntry> entries) const {
+    auto branch = std::make_shared<Branch>();
+    setAreas(*branch, areasOf(entries));
+    for (std::size_t i = 0; i < entries.size(); ++i) branch->below[i] = entries[i].held;
+    return {areaOf(*branch), branch};
+  }
+
+  /// One node, or two when there is one entry too many.
+  template <class Held>
+  [[nodiscard]] std::vector<NodeEntry> nodesOf(std::vector<Entry<Held>> entries) const;
+
+ private:
+  Point origin_;
+};
 
 /// Orders entries so that those before `cut` lie to one side of the rest, along the longer way.
 template <class Held>
@@ -133,19 +152,21 @@ void part(std::span<Entry<Held>> entries, std::size_t cut) {
 
 class Loader {
  public:
+  explicit Loader(Point origin) : make_(origin) {}
+
   /// A node `height` levels above the leaves.
-  static TreeEntry load(std::span<PieceEntry> pieces, std::size_t height) {
-    if (height == 0) return nodeOf(std::span<const PieceEntry>(pieces));
+  NodeEntry load(std::span<PieceEntry> pieces, std::size_t height) const {
+    if (height == 0) return make_.nodeOf(std::span<const PieceEntry>(pieces));
     std::size_t room = kFan;  // of one entry
     for (std::size_t level = 1; level < height; ++level) room *= kFan;
-    std::vector<TreeEntry> entries;
+    std::vector<NodeEntry> entries;
     distribute(pieces, (pieces.size() + room - 1) / room, height - 1, entries);
-    return nodeOf(std::span<const TreeEntry>(entries));
+    return make_.nodeOf(std::span<const NodeEntry>(entries));
   }
 
  private:
-  static void distribute(std::span<PieceEntry> pieces, std::size_t parts, std::size_t height,
-                         std::vector<TreeEntry>& entries) {
+  void distribute(std::span<PieceEntry> pieces, std::size_t parts, std::size_t height,
+                  std::vector<NodeEntry>& entries) const {
     if (parts == 1) {
       entries.push_back(load(pieces, height));
       return;
@@ -156,11 +177,12 @@ class Loader {
     distribute(pieces.first(cut), before, height, entries);
     distribute(pieces.subspan(cut), parts - before, height, entries);
   }
+
+  Maker make_;
 };
 
-/// One node, or two when there is one entry too many.
 template <class Held>
-std::vector<TreeEntry> nodesOf(std::vector<Entry<Held>> entries) {
+std::vector<NodeEntry> Maker::nodesOf(std::vector<Entry<Held>> entries) const {
   if (entries.size() <= kFan) return {nodeOf(std::span<const Entry<Held>>(entries))};
   const std::size_t half = entries.size() / 2;
   part(std::span<Entry<Held>>(entries), half);
@@ -170,13 +192,13 @@ std::vector<TreeEntry> nodesOf(std::vector<Entry<Held>> entries) {
 
 std::vector<PieceEntry> entriesOf(const Leaf& leaf) {
   std::vector<PieceEntry> entries;
-  for (std::size_t i = 0; i < leaf.count; ++i) entries.push_back({areaOf(leaf, i), leaf.pieces[i]});
+  for (std::size_t i = 0; i < leaf.count(); ++i) entries.push_back({areaOf(leaf, i), leaf.pieces[i]});
   return entries;
 }
 
-std::vector<TreeEntry> entriesOf(const Branch& branch) {
-  std::vector<TreeEntry> entries;
-  for (std::size_t i = 0; i < branch.count; ++i) entries.push_back({areaOf(branch, i), branch.below[i]});
+std::vector<NodeEntry> entriesOf(const Branch& branch) {
+  std::vector<NodeEntry> entries;
+  for (std::size_t i = 0; i < branch.count(); ++i) entries.push_back({areaOf(branch, i), branch.below[i]});
   return entries;
 }
 
@@ -184,7 +206,7 @@ std::vector<TreeEntry> entriesOf(const Branch& branch) {
 std::size_t bestFor(const Branch& branch, const Area& area) {
   std::size_t best = 0;
   std::pair<float, float> least{kInfinite, kInfinite};  // growth, then extent
-  for (std::size_t i = 0; i < branch.count; ++i) {
+  for (std::size_t i = 0; i < branch.count(); ++i) {
     Area grown = areaOf(branch, i);
     const float extent = grown.extent();
     grown.include(area);
@@ -194,44 +216,56 @@ std::size_t bestFor(const Branch& branch, const Area& area) {
   return best;
 }
 
-std::vector<TreeEntry> inserted(const Node& node, const PieceEntry& piece) {
+std::vector<NodeEntry> inserted(const Maker& make, const Node& node, const PieceEntry& piece) {
   if (node.is_leaf) {
     auto entries = entriesOf(static_cast<const Leaf&>(node));
     entries.push_back(piece);
-    return nodesOf(std::move(entries));
+    return make.nodesOf(std::move(entries));
   }
   const auto& branch = static_cast<const Branch&>(node);
   auto entries = entriesOf(branch);
   const std::size_t best = bestFor(branch, piece.area);
-  const auto changed = inserted(*entries[best].held, piece);
+  const auto changed = inserted(make, *entries[best].held, piece);
   entries[best] = changed[0];
   if (changed.size() == 2) entries.push_back(changed[1]);
-  return nodesOf(std::move(entries));
+  return make.nodesOf(std::move(entries));
 }
 
 /// The entry without the piece, empty (null) if nothing is left of it; none if the piece is not there.
-std::optional<TreeEntry> removed(const Tree& tree, const PieceEntry& piece) {
-  if (tree->is_leaf) {
-    auto entries = entriesOf(static_cast<const Leaf&>(*tree));
+std::optional<NodeEntry> removed(const Maker& make, const Node& node, const PieceEntry& piece) {
+  if (node.is_leaf) {
+    auto entries = entriesOf(static_cast<const Leaf&>(node));
     const auto gone = std::find_if(entries.begin(), entries.end(), [&](const PieceEntry& e) {
       return e.held->obstacle == piece.held->obstacle;
     });
     if (gone == entries.end()) return std::nullopt;
     entries.erase(gone);
-    return entries.empty() ? TreeEntry{} : nodeOf(std::span<const PieceEntry>(entries));
+    return entries.empty() ? NodeEntry{} : make.nodeOf(std::span<const PieceEntry>(entries));
   }
-  auto entries = entriesOf(static_cast<const Branch&>(*tree));
+  auto entries = entriesOf(static_cast<const Branch&>(node));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (!entries[i].area.holds(piece.area)) continue;
-    const auto changed = removed(entries[i].held, piece);
+    const auto changed = removed(make, *entries[i].held, piece);
     if (!changed) continue;
     if (changed->held)
       entries[i] = *changed;
     else
       entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
-    return entries.empty() ? TreeEntry{} : nodeOf(std::span<const TreeEntry>(entries));
+    return entries.empty() ? NodeEntry{} : make.nodeOf(std::span<const NodeEntry>(entries));
   }
   return std::nullopt;
+}
+
+/// In the middle of the first corners of pieces.
+Point originOf(std::span<const Piece> pieces) {
+  Range x{pieces[0].corners[0].x, pieces[0].corners[0].x};
+  Range y{pieces[0].corners[0].y, pieces[0].corners[0].y};
+  for (const Piece& piece : pieces) {
+    const Point p = piece.corners[0];
+    x = hull(x, {p.x, p.x});
+    y = hull(y, {p.y, p.y});
+  }
+  return {0.5 * (x.min + x.max), 0.5 * (y.min + y.max)};
 }
 
 /// The rectangle along one edge.
@@ -271,31 +305,36 @@ Piece pieceOf(Obstacles::Pointer obstacle, std::vector<Point> corners) {
 }
 
 Tree treeOf(std::vector<Piece> pieces) {
-  if (pieces.empty()) return nullptr;
+  if (pieces.empty()) return {};
   const auto block = std::make_shared<const std::vector<Piece>>(std::move(pieces));
+  const Point origin = originOf(*block);
+  const Maker make(origin);
   std::vector<PieceEntry> entries;
   entries.reserve(block->size());
-  for (const Piece& piece : *block) entries.push_back({areaOf(piece), PiecePointer(block, &piece)});
+  for (const Piece& piece : *block) entries.push_back(make.entryOf(PiecePointer(block, &piece)));
   std::size_t height = 0;
   for (std::size_t room = kFan; room < entries.size(); room *= kFan) ++height;
-  return Loader::load(entries, height).held;
+  return {Loader(origin).load(entries, height).held, origin};
 }
 
 Tree with(const Tree& tree, PiecePointer piece) {
-  const PieceEntry entry{areaOf(*piece), std::move(piece)};
-  if (!tree) return nodeOf(std::span(&entry, 1)).held;
-  auto nodes = inserted(*tree, entry);
-  return nodes.size() == 1 ? nodes[0].held : nodeOf(std::span<const TreeEntry>(nodes)).held;
+  const Point origin = tree.root ? tree.origin : originOf(std::span(piece.get(), 1));
+  const Maker make(origin);
+  const PieceEntry entry = make.entryOf(std::move(piece));
+  if (!tree.root) return {make.nodeOf(std::span(&entry, 1)).held, origin};
+  const auto nodes = inserted(make, *tree.root, entry);
+  return {nodes.size() == 1 ? nodes[0].held : make.nodeOf(std::span<const NodeEntry>(nodes)).held, origin};
 }
 
 Tree without(const Tree& tree, const Piece& piece) {
-  if (!tree) return tree;
-  const auto left = removed(tree, {areaOf(piece), PiecePointer(PiecePointer(), &piece)});
+  if (!tree.root) return tree;
+  const Maker make(tree.origin);
+  const auto left = removed(make, *tree.root, make.entryOf(PiecePointer(PiecePointer(), &piece)));
   if (!left) return tree;
-  Tree root = left->held;
+  NodePointer root = left->held;
   // A root with a single branch below it is one level too many.
-  while (root && !root->is_leaf && root->count == 1) root = static_cast<const Branch&>(*root).below[0];
-  return root;
+  while (root && !root->is_leaf && root->count() == 1) root = static_cast<const Branch&>(*root).below[0];
+  return {root, tree.origin};
 }
 
 }  // namespace underway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,7 +36,8 @@ using PiecePointer = std::shared_ptr<const Piece>;
 /// As many entries as a node of the tree has at most.
 inline constexpr std::size_t kFan = 8;
 
-/// Axis-aligned areas of a node's entries, field by field for SIMD, rounded outwards; map frame [m].
+/// Axis-aligned areas of a node's entries, field by field for SIMD, rounded outwards; relative to the tree's
+/// origin, along the map's axes [m].
 struct Areas {
   alignas(32) std::array<float, kFan> min_x, min_y, max_x, max_y;
 };
@@ -44,25 +46,28 @@ struct Areas {
 /// all but the nodes on the way to the change. All leaves are equally deep.
 struct Node {
   Areas areas;
-  std::uint32_t count = 0;  ///< entries used, from the front
-  bool is_leaf = false;     ///< a Leaf; else a Branch
+  std::uint32_t used = 0;  ///< bit i: there is an entry i; those used are the first ones
+  bool is_leaf = false;    ///< a Leaf; else a Branch
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(std::popcount(used)); }
 };
-/// Null: no pieces.
-using Tree = std::shared_ptr<const Node>;
+using NodePointer = std::shared_ptr<const Node>;
 
 struct Branch : Node {
-  std::array<Tree, kFan> below;
+  std::array<NodePointer, kFan> below;
 };
 
-/// Pieces, and their rectangles field by field for SIMD, relative to an origin near them: so the error of
-/// single precision is small against them, wherever in the map they are.
+/// Pieces, and their rectangles field by field for SIMD, relative to the tree's origin.
 struct Leaf : Node {
-  double origin_x = 0.0;  ///< map frame [m]
-  double origin_y = 0.0;
-  float reach = 0.0F;            ///< no piece's coordinates and sizes are larger [m]
+  float extent = 0.0F;           ///< no sum of a piece's coordinates and half sizes is larger [m]
   std::uint32_t rectangles = 0;  ///< bit i: piece i is exactly its rectangle
   alignas(32) std::array<float, kFan> x, y, cos, sin, half_x, half_y;
   std::array<PiecePointer, kFan> pieces;
+};
+
+struct Tree {
+  NodePointer root;  ///< null: no pieces
+  Point origin;      ///< among the pieces it was made of, so that single precision does for those near it; map
+                     ///< frame [m]
 };
 
 /// A balanced tree with full leaves (overlap-minimising top-down loading, Lee and Lee 2003), in n log n time.
