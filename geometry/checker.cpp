@@ -112,7 +112,7 @@ struct Checker::Engine {
     return views[of_switch[static_cast<std::size_t>(change - robot->switches.data())]];
   }
 
-  [[nodiscard]] Prism swept(const Motion& motion) const { return sweptBox(*robot, motion, world->floorZ()); }
+  [[nodiscard]] Prism swept(const Motion& motion) const { return sweptBox(*robot, motion, view(motion).slab); }
 
   [[nodiscard]] bool isInBounds(const Motion& motion, const Prism& body) const {
     return isFinite(motion) &&
@@ -146,40 +146,40 @@ const Robot& Checker::robot() const { return *engine_->robot; }
 const Judge& Checker::judge() const { return engine_->judge; }
 
 bool Checker::isFree(const Motion& motion, double margin_m) const {
-  const Prism body = engine_->swept(motion);
+  const View& view = engine_->view(motion);
+  const Prism body = sweptBox(robot(), motion, view.slab);
   if (!engine_->isInBounds(motion, body)) return false;
-  const Layer& seen = engine_->view(motion).seen;
   const Prism grown = body.grown(margin_m);
-  return !(isTurning(motion) ? seen.touches(Turning(grown, motion.angle_rad)) : seen.touches(grown));
+  return !(isTurning(motion) ? view.seen.touches(Turning(grown, motion.angle_rad)) : view.seen.touches(grown));
 }
 
 std::vector<char> Checker::areFree(std::span<const Motion> motions, double margin_m) const {
   std::vector<char> free(motions.size(), 0);
-  std::vector<Prism> boxes;  // of neighbours in the row that look at one layer
-  std::vector<std::size_t> of;
-  std::vector<char> touched;
-  const Layer* layer = nullptr;
-  const auto flush = [&] {
-    touched.resize(boxes.size());
-    if (layer != nullptr) layer->touchEach(boxes, touched);
-    for (std::size_t i = 0; i < boxes.size(); ++i) free[of[i]] = touched[i] == 0 ? 1 : 0;
-    boxes.clear();
-    of.clear();
+  // Boxes by the layer that sees them; turns one by one.
+  struct Batch {
+    std::vector<Prism> boxes;
+    std::vector<std::size_t> of;  // index of the motion
   };
+  std::vector<Batch> batches(engine_->views.size());
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (isTurning(motions[i])) {
       free[i] = isFree(motions[i], margin_m) ? 1 : 0;
       continue;
     }
-    const Prism body = engine_->swept(motions[i]);
+    const View& view = engine_->view(motions[i]);
+    const Prism body = sweptBox(robot(), motions[i], view.slab);
     if (!engine_->isInBounds(motions[i], body)) continue;
-    const Layer& seen = engine_->view(motions[i]).seen;
-    if (layer != &seen) flush();
-    layer = &seen;
-    boxes.push_back(body.grown(margin_m));
-    of.push_back(i);
+    Batch& batch = batches[static_cast<std::size_t>(&view - engine_->views.data())];
+    batch.boxes.push_back(body.grown(margin_m));
+    batch.of.push_back(i);
   }
-  flush();
+  std::vector<char> touched;
+  for (std::size_t v = 0; v < batches.size(); ++v) {
+    const Batch& batch = batches[v];
+    touched.resize(batch.boxes.size());
+    engine_->views[v].seen.touchEach(batch.boxes, touched);
+    for (std::size_t k = 0; k < batch.of.size(); ++k) free[batch.of[k]] = touched[k] == 0 ? 1 : 0;
+  }
   return free;
 }
 
@@ -196,8 +196,8 @@ bool Checker::isFreeAllRound(ModeId mode, Point at, double margin_m) const {
 
 Closeness Checker::closeness(const Motion& motion, double cap_m) const {
   if (!isFinite(motion)) return {};
-  const Prism body = engine_->swept(motion);
   const View& view = engine_->view(motion);
+  const Prism body = sweptBox(robot(), motion, view.slab);
   const bool is_turning = isTurning(motion);
   const auto nearest = is_turning ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m)
                                   : view.seen.nearest(body, cap_m);

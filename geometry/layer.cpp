@@ -104,7 +104,7 @@ class NearestSearch {
     for (std::size_t k = 0; k < count; ++k) {
       const auto [least, i] = order[k];
       if (least > best_.gap.distance_m) return;
-      if (node.is_leaf)
+      if (node.isLeaf())
         consider(*static_cast<const Leaf&>(node).pieces[i]);
       else
         visit(*static_cast<const Branch&>(node).below[i]);

@@ -12,6 +12,22 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#ifndef UNDERWAY_KERNELS
+#define UNDERWAY_KERNELS
+namespace underway {
+
+/// What is made for each instruction set. Trees have a root here.
+struct Kernels {
+  bool (*touch_body)(const Tree&, const Prism&, Closer&);
+  bool (*touch_ring)(const Tree&, const Ring&, Closer&);
+  void (*touch_bodies)(const Tree&, std::span<const Prism>, Closer&, std::span<char>);
+  void (*sift_body)(const Tree&, const Prism&, Sieve&);
+  void (*sift_ring)(const Tree&, const Ring&, Sieve&);
+};
+
+}  // namespace underway
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace underway {
 namespace HWY_NAMESPACE {
@@ -206,7 +222,7 @@ template <class Test>
 bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
   std::uint32_t left = meeting(node, test.box());
   std::uint32_t certain = 0;
-  if (node.is_leaf && left != 0) {
+  if (node.isLeaf() && left != 0) {
     const auto& leaf = static_cast<const Leaf&>(node);
     const Verdict verdict = test(leaf);
     left &= ~verdict.apart;
@@ -214,7 +230,7 @@ bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
   }
   for (; left != 0; left &= left - 1U) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const bool stops = node.is_leaf
+    const bool stops = node.isLeaf()
                            ? sieve.keep(*static_cast<const Leaf&>(node).pieces[i], (certain >> i & 1U) != 0)
                            : siftNode(*static_cast<const Branch&>(node).below[i], test, sieve);
     if (stops) return true;
@@ -235,24 +251,43 @@ HWY_INLINE bool touchesLeaf(const Leaf& leaf, const Test& test, Closer& closer, 
   return certain != 0;
 }
 
+/// Of a branch right above the leaves.
 template <class Test>
-HWY_INLINE bool touchesTree(const Node& root, const Test& test, Closer& closer, std::size_t shape) {
-  if (root.is_leaf) return touchesLeaf(static_cast<const Leaf&>(root), test, closer, shape);
+HWY_INLINE bool touchesLeaves(const Branch& branch, const Test& test, Closer& closer, std::size_t shape) {
+  bool touches = false;
+  for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
+    const Node& below = *branch.below[static_cast<std::size_t>(std::countr_zero(left))];
+    touches |= touchesLeaf(static_cast<const Leaf&>(below), test, closer, shape);
+  }
+  return touches;
+}
+
+template <class Test>
+HWY_NOINLINE bool touchesDeep(const Branch& root, const Test& test, Closer& closer, std::size_t shape) {
   std::array<const Branch*, kMostBranches> waiting;
   std::size_t count = 0;
-  waiting[count++] = static_cast<const Branch*>(&root);
+  waiting[count++] = &root;
   bool touches = false;
   while (count > 0 && !touches) {
     const Branch& branch = *waiting[--count];
+    if (branch.height == 1) {
+      touches = touchesLeaves(branch, test, closer, shape);
+      continue;
+    }
     for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
       const Node& below = *branch.below[static_cast<std::size_t>(std::countr_zero(left))];
-      if (below.is_leaf)
-        touches |= touchesLeaf(static_cast<const Leaf&>(below), test, closer, shape);
-      else
-        waiting[count++] = static_cast<const Branch*>(&below);
+      waiting[count++] = static_cast<const Branch*>(&below);
     }
   }
   return touches;
+}
+
+template <class Test>
+HWY_INLINE bool touchesTree(const Node& root, const Test& test, Closer& closer, std::size_t shape) {
+  if (root.isLeaf()) return touchesLeaf(static_cast<const Leaf&>(root), test, closer, shape);
+  const auto& branch = static_cast<const Branch&>(root);
+  return branch.height == 1 ? touchesLeaves(branch, test, closer, shape)
+                            : touchesDeep(branch, test, closer, shape);
 }
 
 void touchBodies(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
@@ -276,6 +311,8 @@ void siftRing(const Tree& tree, const Ring& ring, Sieve& sieve) {
   siftNode(*tree.root, RingTest(ring, tree.origin), sieve);
 }
 
+Kernels kernels() { return {touchBody, touchRing, touchBodies, siftBody, siftRing}; }
+
 }  // namespace HWY_NAMESPACE
 }  // namespace underway
 HWY_AFTER_NAMESPACE();
@@ -283,33 +320,41 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace underway {
 
-HWY_EXPORT(touchBodies);
-HWY_EXPORT(touchBody);
-HWY_EXPORT(touchRing);
-HWY_EXPORT(siftBody);
-HWY_EXPORT(siftRing);
+HWY_EXPORT(kernels);
+
+namespace {
+
+/// The best that this machine has, looked up once.
+Kernels& chosen() {
+  static Kernels kernels = HWY_DYNAMIC_DISPATCH(kernels)();
+  return kernels;
+}
+
+}  // namespace
+
+void chooseInstructionSet() { chosen() = HWY_DYNAMIC_DISPATCH(kernels)(); }
 
 bool touches(const Tree& tree, const Prism& body, Closer& closer) {
-  return tree.root && HWY_DYNAMIC_DISPATCH(touchBody)(tree, body, closer);
+  return tree.root && chosen().touch_body(tree, body, closer);
 }
 
 bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
-  return tree.root && HWY_DYNAMIC_DISPATCH(touchRing)(tree, ring, closer);
+  return tree.root && chosen().touch_ring(tree, ring, closer);
 }
 
 void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
   if (tree.root)
-    HWY_DYNAMIC_DISPATCH(touchBodies)(tree, bodies, closer, touched);
+    chosen().touch_bodies(tree, bodies, closer, touched);
   else
     std::fill(touched.begin(), touched.end(), 0);
 }
 
 void sift(const Tree& tree, const Prism& body, Sieve& sieve) {
-  if (tree.root) HWY_DYNAMIC_DISPATCH(siftBody)(tree, body, sieve);
+  if (tree.root) chosen().sift_body(tree, body, sieve);
 }
 
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve) {
-  if (tree.root) HWY_DYNAMIC_DISPATCH(siftRing)(tree, ring, sieve);
+  if (tree.root) chosen().sift_ring(tree, ring, sieve);
 }
 
 }  // namespace underway

@@ -48,4 +48,8 @@ void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, 
 void sift(const Tree& tree, const Prism& body, Sieve& sieve);
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve);
 
+/// Chooses the instruction set anew, after Highway was told to leave some out; for tests. Not while others call
+/// the functions above.
+void chooseInstructionSet();
+
 }  // namespace underway

@@ -101,7 +101,6 @@ class Maker {
   [[nodiscard]] NodeEntry nodeOf(std::span<const PieceEntry> entries) const {
     auto leaf = std::make_shared<Leaf>();
     setAreas(*leaf, areasOf(entries));
-    leaf->is_leaf = true;
     leaf->x = leaf->y = leaf->cos = leaf->sin = leaf->half_x = leaf->half_y = {};
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Rectangle& around = entries[i].held->around;
@@ -122,6 +121,7 @@ class Maker {
   [[nodiscard]] NodeEntry nodeOf(std::span<const NodeEntry> entries) const {
     auto branch = std::make_shared<Branch>();
     setAreas(*branch, areasOf(entries));
+    branch->height = entries[0].held->height + 1;
     for (std::size_t i = 0; i < entries.size(); ++i) branch->below[i] = entries[i].held;
     return {areaOf(*branch), branch};
   }
@@ -217,7 +217,7 @@ std::size_t bestFor(const Branch& branch, const Area& area) {
 }
 
 std::vector<NodeEntry> inserted(const Maker& make, const Node& node, const PieceEntry& piece) {
-  if (node.is_leaf) {
+  if (node.isLeaf()) {
     auto entries = entriesOf(static_cast<const Leaf&>(node));
     entries.push_back(piece);
     return make.nodesOf(std::move(entries));
@@ -233,7 +233,7 @@ std::vector<NodeEntry> inserted(const Maker& make, const Node& node, const Piece
 
 /// The entry without the piece, empty (null) if nothing is left of it; none if the piece is not there.
 std::optional<NodeEntry> removed(const Maker& make, const Node& node, const PieceEntry& piece) {
-  if (node.is_leaf) {
+  if (node.isLeaf()) {
     auto entries = entriesOf(static_cast<const Leaf&>(node));
     const auto gone = std::find_if(entries.begin(), entries.end(), [&](const PieceEntry& e) {
       return e.held->obstacle == piece.held->obstacle;
@@ -333,7 +333,7 @@ Tree without(const Tree& tree, const Piece& piece) {
   if (!left) return tree;
   NodePointer root = left->held;
   // A root with a single branch below it is one level too many.
-  while (root && !root->is_leaf && root->count() == 1) root = static_cast<const Branch&>(*root).below[0];
+  while (root && !root->isLeaf() && root->count() == 1) root = static_cast<const Branch&>(*root).below[0];
   return {root, tree.origin};
 }
 

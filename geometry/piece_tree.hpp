@@ -46,8 +46,9 @@ struct Areas {
 /// all but the nodes on the way to the change. All leaves are equally deep.
 struct Node {
   Areas areas;
-  std::uint32_t used = 0;  ///< bit i: there is an entry i; those used are the first ones
-  bool is_leaf = false;    ///< a Leaf; else a Branch
+  std::uint32_t used = 0;    ///< bit i: there is an entry i; those used are the first ones
+  std::uint32_t height = 0;  ///< levels below it; 0: a Leaf, else a Branch
+  [[nodiscard]] bool isLeaf() const { return height == 0; }
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(std::popcount(used)); }
 };
 using NodePointer = std::shared_ptr<const Node>;

@@ -9,37 +9,20 @@ namespace {
 
 constexpr double kLowestSeen_m = 0.005;  // what is flatter than this is floor to every mode (formats: 'Free')
 
-void extend(BodyBox& body, Sense sense, double length_m) {
-  switch (sense) {
-    case Sense::kForward:
-      body.x.max += length_m;
-      break;
-    case Sense::kBackward:
-      body.x.min -= length_m;
-      break;
-    case Sense::kLeft:
-      body.y.max += length_m;
-      break;
-    case Sense::kRight:
-      body.y.min -= length_m;
-      break;
-  }
+/// Before any sweep.
+const BodyBox& bodyOf(const Robot& robot, const Motion& motion) {
+  return motion.kind == MotionKind::kSwitch ? robot.findSwitch(motion.mode, motion.to_mode)->body_m
+                                            : robot.modes[motion.mode].body_m;
 }
 
-void widen(BodyBox& body, Sense sense, double by_m) {
-  Range& across = sense == Sense::kForward || sense == Sense::kBackward ? body.y : body.x;
-  across = across.grown(by_m);
-}
-
-BodyBox boxOf(const Robot& robot, const Motion& motion) {
-  if (motion.kind == MotionKind::kSwitch) return robot.findSwitch(motion.mode, motion.to_mode)->body_m;
-  BodyBox body = robot.modes[motion.mode].body_m;
-  if (motion.kind == MotionKind::kTranslate) {
-    const double travelled = length(motion);
-    extend(body, motion.sense, travelled);
-    widen(body, motion.sense, travelled * robot.modes[motion.mode].drift_m_per_m);
-  }
-  return body;
+/// Further along a sense, and wider to both sides.
+void extend(Prism& box, Sense sense, double length_m, double widening_m) {
+  const bool along_x = sense == Sense::kForward || sense == Sense::kBackward;
+  const bool ahead = sense == Sense::kForward || sense == Sense::kLeft;
+  Range& along = along_x ? box.x : box.y;
+  Range& across = along_x ? box.y : box.x;
+  (ahead ? along.max : along.min) += ahead ? length_m : -length_m;
+  across = across.grown(widening_m);
 }
 
 }  // namespace
@@ -56,12 +39,21 @@ std::array<Point, 4> Prism::footprint() const {
 Range slabOf(const Robot& robot, const Motion& motion, double floor_z_m) {
   const double step_over =
       std::min(robot.modes[motion.mode].step_over_m, robot.modes[motion.to_mode].step_over_m);
-  return {floor_z_m + std::max(step_over, kLowestSeen_m), floor_z_m + boxOf(robot, motion).z.max};
+  return {floor_z_m + std::max(step_over, kLowestSeen_m), floor_z_m + bodyOf(robot, motion).z.max};
+}
+
+Prism sweptBox(const Robot& robot, const Motion& motion, Range slab) {
+  const BodyBox& body = bodyOf(robot, motion);
+  Prism box{motion.from, body.x, body.y, slab};
+  if (motion.kind == MotionKind::kTranslate) {
+    const double travelled = length(motion);
+    extend(box, motion.sense, travelled, travelled * robot.modes[motion.mode].drift_m_per_m);
+  }
+  return box;
 }
 
 Prism sweptBox(const Robot& robot, const Motion& motion, double floor_z_m) {
-  const BodyBox body = boxOf(robot, motion);
-  return {motion.from, body.x, body.y, slabOf(robot, motion, floor_z_m)};
+  return sweptBox(robot, motion, slabOf(robot, motion, floor_z_m));
 }
 
 double sweptAngle(const Motion& motion) {

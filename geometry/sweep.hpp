@@ -27,6 +27,8 @@ struct Prism {
 /// All that a translation, a switch or standing still covers: one box, a translation's widened to both sides
 /// by drift times length. Of a turn: the body at the turn's beginning.
 [[nodiscard]] Prism sweptBox(const Robot& robot, const Motion& motion, double floor_z_m);
+/// The same with the motion's slab already at hand.
+[[nodiscard]] Prism sweptBox(const Robot& robot, const Motion& motion, Range slab);
 
 /// The turn's angle [rad], or one revolution if it is more: nothing new is covered after that.
 [[nodiscard]] double sweptAngle(const Motion& motion);
