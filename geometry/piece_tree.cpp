@@ -110,8 +110,9 @@ class Maker {
       leaf->sin[i] = static_cast<float>(around.sin);
       leaf->half_x[i] = static_cast<float>(around.half_x);
       leaf->half_y[i] = static_cast<float>(around.half_y);
-      leaf->extent = std::max(leaf->extent, std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] +
-                                                leaf->half_y[i]);
+      leaf->error_m =
+          std::max(leaf->error_m, kRoundings * (std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] +
+                                                leaf->half_y[i]));
       if (entries[i].held->is_rectangle) leaf->rectangles |= 1U << i;
       leaf->pieces[i] = entries[i].held;
     }

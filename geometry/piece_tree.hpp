@@ -57,9 +57,13 @@ struct Branch : Node {
   std::array<NodePointer, kFan> below;
 };
 
+/// What a gap worked out in single precision may be off, relative to the coordinates and sizes that it is made
+/// of: about twelve roundings, and twice that to be safe.
+inline constexpr float kRoundings = 24.0F * 0x1.0p-24F;
+
 /// Pieces, and their rectangles field by field for SIMD, relative to the tree's origin.
 struct Leaf : Node {
-  float extent = 0.0F;           ///< no sum of a piece's coordinates and half sizes is larger [m]
+  float error_m = 0.0F;          ///< what single precision may be off by, for the pieces' part
   std::uint32_t rectangles = 0;  ///< bit i: piece i is exactly its rectangle
   alignas(32) std::array<float, kFan> x, y, cos, sin, half_x, half_y;
   std::array<PiecePointer, kFan> pieces;
