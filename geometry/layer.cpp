@@ -13,25 +13,20 @@ namespace {
 
 constexpr double kAnyHeight_m = 1e6;
 
-/// The exact test of a body or a turn, for the pieces that need it.
+/// The exact test of a shape, for the pieces that need it.
 class BodyCloser : public Closer {
  public:
-  explicit BodyCloser(const Prism* bodies) : bodies_(bodies) {}
-  bool touches(const Piece& piece, std::size_t body) override {
-    if (!footprint_ || last_ != body) footprint_ = bodies_[last_ = body].footprint();
-    return areTouching(*footprint_, piece.corners);
-  }
+  explicit BodyCloser(const Prism& body) : footprint_(body.footprint()) {}
+  bool touches(const Piece& piece) override { return areTouching(footprint_, piece.corners); }
 
  private:
-  const Prism* bodies_;
-  std::optional<std::array<Point, 4>> footprint_;
-  std::size_t last_ = 0;  // whose footprint it is
+  std::array<Point, 4> footprint_;
 };
 
 class TurningCloser : public Closer {
  public:
   explicit TurningCloser(const Turning& turning) : turning_(turning) {}
-  bool touches(const Piece& piece, std::size_t) override { return turning_.touches(piece.corners); }
+  bool touches(const Piece& piece) override { return turning_.touches(piece.corners); }
 
  private:
   const Turning& turning_;
@@ -40,7 +35,7 @@ class TurningCloser : public Closer {
 class DiscCloser : public Closer {
  public:
   DiscCloser(Point center, double radius_m) : center_(center), radius_m_(radius_m) {}
-  bool touches(const Piece& piece, std::size_t) override {
+  bool touches(const Piece& piece) override {
     return !(distanceTo(piece.corners, center_) > radius_m_);
   }
 
@@ -54,7 +49,7 @@ class VisitSieve : public Sieve {
  public:
   VisitSieve(Closer& closer, const Layer::Visit& visit) : closer_(closer), visit_(visit) {}
   bool keep(const Piece& piece, bool is_certain) override {
-    return (is_certain || closer_.touches(piece, 0)) && visit_(piece);
+    return (is_certain || closer_.touches(piece)) && visit_(piece);
   }
 
  private:
@@ -187,14 +182,10 @@ Layer Layer::changed(const Obstacles& before, const Obstacles& after) const {
   return is_worth_it ? result : Layer(flatten_, after);
 }
 
-bool Layer::touches(const Prism& body) const {
-  BodyCloser closer(&body);
-  return underway::touches(tree_, body, closer);
-}
+bool Layer::touches(const Prism& body) const { return underway::touches(tree_, body); }
 
 void Layer::touchEach(std::span<const Prism> bodies, std::span<char> touched) const {
-  BodyCloser closer(bodies.data());
-  underway::touchEach(tree_, bodies, closer, touched);
+  underway::touchEach(tree_, bodies, touched);
 }
 
 bool Layer::touches(const Turning& turning) const {
@@ -208,7 +199,7 @@ bool Layer::touches(Point center, double radius_m) const {
 }
 
 void Layer::visitTouched(const Prism& body, const Visit& visit) const {
-  BodyCloser closer(&body);
+  BodyCloser closer(body);
   VisitSieve sieve(closer, visit);
   sift(tree_, body, sieve);
 }

@@ -18,9 +18,9 @@ namespace underway {
 
 /// What is made for each instruction set. Trees have a root here.
 struct Kernels {
-  bool (*touch_body)(const Tree&, const Prism&, Closer&);
+  bool (*touch_body)(const Tree&, const Prism&);
+  void (*touch_bodies)(const Tree&, std::span<const Prism>, std::span<char>);
   bool (*touch_ring)(const Tree&, const Ring&, Closer&);
-  void (*touch_bodies)(const Tree&, std::span<const Prism>, Closer&, std::span<char>);
   void (*sift_body)(const Tree&, const Prism&, Sieve&);
   void (*sift_ring)(const Tree&, const Ring&, Sieve&);
 };
@@ -92,6 +92,7 @@ struct Verdict {
 };
 
 constexpr float kMoreThanDiagonal = 0.415F;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
+constexpr float kSlack = 8.0F * static_cast<float>(kOutwards);  // of a box, relative to the body
 constexpr float kCompact = 3.0F;             // times the shorter half: size of a body that is as long as wide
 
 /// A body's footprint, as a rectangle.
@@ -115,12 +116,13 @@ class RectangleTest {
     // Of a compact body a box round its circle is nearly as small, and known before the direction is.
     const float shorter = half_x_ < half_y_ ? half_x_ : half_y_;
     const float longer = half_x_ < half_y_ ? half_y_ : half_x_;
+    const float slack = kSlack * size + kLeast_m;
     if (size < kCompact * shorter) {
-      const float reach = offset + longer + kMoreThanDiagonal * shorter + error_;
+      const float reach = offset + longer + kMoreThanDiagonal * shorter + slack;
       box_ = {at_x - reach, at_y - reach, at_x + reach, at_y + reach};
     } else {
-      const float reach_x = std::abs(cos_) * half_x_ + std::abs(sin_) * half_y_ + error_;
-      const float reach_y = std::abs(sin_) * half_x_ + std::abs(cos_) * half_y_ + error_;
+      const float reach_x = std::abs(cos_) * half_x_ + std::abs(sin_) * half_y_ + slack;
+      const float reach_y = std::abs(sin_) * half_x_ + std::abs(cos_) * half_y_ + slack;
       box_ = {x_ - reach_x, y_ - reach_y, x_ + reach_x, y_ + reach_y};
     }
   }
@@ -174,7 +176,7 @@ class RingTest {
         outer_(static_cast<float>(ring.outer_m)),
         inner_(static_cast<float>(ring.inner_m)),
         error_(kRoundings * (std::abs(x_) + std::abs(y_) + outer_) + kLeast_m) {
-    const float reach = outer_ + error_;
+    const float reach = outer_ + kSlack * outer_ + kLeast_m;
     box_ = {x_ - reach, y_ - reach, x_ + reach, y_ + reach};
   }
 
@@ -231,32 +233,43 @@ bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
   return false;
 }
 
+/// In double precision, for the pieces that single precision leaves open.
+struct ExactBody {
+  const Prism& body;
+  bool touches(const Piece& piece) const { return areTouching(body.footprint(), piece.corners); }
+};
+
+struct ExactShape {
+  Closer& closer;
+  bool touches(const Piece& piece) const { return closer.touches(piece); }
+};
+
 /// Whether any of a leaf's pieces touches. Looks at all of them before it tells: whether the next one does is
 /// a coin's toss, and a branch on it would cost more than the look.
-template <class Test>
-HWY_INLINE bool touchesLeaf(const Leaf& leaf, const Test& test, Closer& closer, std::size_t shape) {
+template <class Test, class Exact>
+HWY_INLINE bool touchesLeaf(const Leaf& leaf, const Test& test, const Exact& exact) {
   const Verdict verdict = test(leaf);
   const std::uint32_t left = ~verdict.apart & leaf.used;
   const std::uint32_t certain = left & verdict.overlapping & leaf.rectangles;
   if (HWY_UNLIKELY((left & ~certain) != 0) && certain == 0)
     for (std::uint32_t unsure = left; unsure != 0; unsure &= unsure - 1U)
-      if (closer.touches(*leaf.pieces[static_cast<std::size_t>(std::countr_zero(unsure))], shape)) return true;
+      if (exact.touches(*leaf.pieces[static_cast<std::size_t>(std::countr_zero(unsure))])) return true;
   return certain != 0;
 }
 
 /// Of a branch right above the leaves.
-template <class Test>
-HWY_INLINE bool touchesLeaves(const Branch& branch, const Test& test, Closer& closer, std::size_t shape) {
+template <class Test, class Exact>
+HWY_INLINE bool touchesLeaves(const Branch& branch, const Test& test, const Exact& exact) {
   bool touches = false;
   for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
     const Node& below = *branch.below[static_cast<std::size_t>(std::countr_zero(left))];
-    touches |= touchesLeaf(static_cast<const Leaf&>(below), test, closer, shape);
+    touches |= touchesLeaf(static_cast<const Leaf&>(below), test, exact);
   }
   return touches;
 }
 
-template <class Test>
-HWY_NOINLINE bool touchesDeep(const Branch& root, const Test& test, Closer& closer, std::size_t shape) {
+template <class Test, class Exact>
+HWY_INLINE bool touchesDeep(const Branch& root, const Test& test, const Exact& exact) {
   std::array<const Branch*, kMostBranches> waiting;
   std::size_t count = 0;
   waiting[count++] = &root;
@@ -264,7 +277,7 @@ HWY_NOINLINE bool touchesDeep(const Branch& root, const Test& test, Closer& clos
   while (count > 0 && !touches) {
     const Branch& branch = *waiting[--count];
     if (branch.height == 1) {
-      touches = touchesLeaves(branch, test, closer, shape);
+      touches = touchesLeaves(branch, test, exact);
       continue;
     }
     for (std::uint32_t left = meeting(branch, test.box()); left != 0; left &= left - 1U) {
@@ -275,25 +288,25 @@ HWY_NOINLINE bool touchesDeep(const Branch& root, const Test& test, Closer& clos
   return touches;
 }
 
-template <class Test>
-HWY_INLINE bool touchesTree(const Node& root, const Test& test, Closer& closer, std::size_t shape) {
-  if (root.isLeaf()) return touchesLeaf(static_cast<const Leaf&>(root), test, closer, shape);
+template <class Test, class Exact>
+HWY_INLINE bool touchesTree(const Node& root, const Test& test, const Exact& exact) {
+  if (root.isLeaf()) return touchesLeaf(static_cast<const Leaf&>(root), test, exact);
   const auto& branch = static_cast<const Branch&>(root);
-  return branch.height == 1 ? touchesLeaves(branch, test, closer, shape)
-                            : touchesDeep(branch, test, closer, shape);
+  return branch.height == 1 ? touchesLeaves(branch, test, exact) : touchesDeep(branch, test, exact);
 }
 
-void touchBodies(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
+bool touchBody(const Tree& tree, const Prism& body) {
+  return touchesTree(*tree.root, RectangleTest(body, tree.origin), ExactBody{body});
+}
+
+void touchBodies(const Tree& tree, std::span<const Prism> bodies, std::span<char> touched) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    touched[i] = touchesTree(*tree.root, RectangleTest(bodies[i], tree.origin), closer, i) ? 1 : 0;
-}
-
-bool touchBody(const Tree& tree, const Prism& body, Closer& closer) {
-  return touchesTree(*tree.root, RectangleTest(body, tree.origin), closer, 0);
+    touched[i] =
+        touchesTree(*tree.root, RectangleTest(bodies[i], tree.origin), ExactBody{bodies[i]}) ? 1 : 0;
 }
 
 bool touchRing(const Tree& tree, const Ring& ring, Closer& closer) {
-  return touchesTree(*tree.root, RingTest(ring, tree.origin), closer, 0);
+  return touchesTree(*tree.root, RingTest(ring, tree.origin), ExactShape{closer});
 }
 
 void siftBody(const Tree& tree, const Prism& body, Sieve& sieve) {
@@ -304,7 +317,7 @@ void siftRing(const Tree& tree, const Ring& ring, Sieve& sieve) {
   siftNode(*tree.root, RingTest(ring, tree.origin), sieve);
 }
 
-Kernels kernels() { return {touchBody, touchRing, touchBodies, siftBody, siftRing}; }
+Kernels kernels() { return {touchBody, touchBodies, touchRing, siftBody, siftRing}; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace underway
@@ -327,17 +340,17 @@ Kernels& chosen() {
 
 void chooseInstructionSet() { chosen() = HWY_DYNAMIC_DISPATCH(kernels)(); }
 
-bool touches(const Tree& tree, const Prism& body, Closer& closer) {
-  return tree.root && chosen().touch_body(tree, body, closer);
+bool touches(const Tree& tree, const Prism& body) {
+  return tree.root && chosen().touch_body(tree, body);
 }
 
 bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
   return tree.root && chosen().touch_ring(tree, ring, closer);
 }
 
-void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched) {
+void touchEach(const Tree& tree, std::span<const Prism> bodies, std::span<char> touched) {
   if (tree.root)
-    chosen().touch_bodies(tree, bodies, closer, touched);
+    chosen().touch_bodies(tree, bodies, touched);
   else
     std::fill(touched.begin(), touched.end(), 0);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "geometry/piece_tree.hpp"
@@ -20,8 +19,7 @@ struct Ring {
 class Closer {
  public:
   virtual ~Closer() = default;
-  /// Whether a piece touches the shape; `shape` says which, if there are many.
-  virtual bool touches(const Piece& piece, std::size_t shape) = 0;
+  virtual bool touches(const Piece& piece) = 0;
 };
 
 /// Takes the pieces that a fast look at the tree cannot tell to be apart from a shape.
@@ -34,16 +32,18 @@ class Sieve {
 };
 
 // These look at a tree's pieces in single precision, eight at a time. What is nearer to contact than single
-// precision can tell is left to the closer or the sieve: so all instruction sets give the same answers. The
-// code is made for each that Highway knows of, and chosen when the program runs.
+// precision can tell is decided in double precision (areTouching of convex.hpp, or the closer) or left to the
+// sieve: so all instruction sets give the same answers. The code is made for each that Highway knows of, and
+// chosen when the program runs.
 //
 // Thread safety: may be called from any number of threads.
 
-/// Whether any piece touches the shape.
-[[nodiscard]] bool touches(const Tree& tree, const Prism& body, Closer& closer);
+/// Whether any piece touches the body's footprint.
+[[nodiscard]] bool touches(const Tree& tree, const Prism& body);
+/// For many bodies: `touched[i]` becomes whether any piece touches body i.
+void touchEach(const Tree& tree, std::span<const Prism> bodies, std::span<char> touched);
+/// Whether any piece touches the shape that the ring is about.
 [[nodiscard]] bool touches(const Tree& tree, const Ring& ring, Closer& closer);
-/// `touched[i]` becomes whether any piece touches body i.
-void touchEach(const Tree& tree, std::span<const Prism> bodies, Closer& closer, std::span<char> touched);
 /// Gives the sieve all pieces that may touch, until it stops.
 void sift(const Tree& tree, const Prism& body, Sieve& sieve);
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve);

@@ -39,13 +39,15 @@ float roundedDown(double value) {
 }
 float roundedUp(double value) { return -roundedDown(-value); }
 
-/// Relative to an origin.
+/// Relative to an origin, and larger by what whoever compares with it in single precision may be off.
 Area areaOf(const Piece& piece, Point origin) {
+  const auto below = [](double value) { return roundedDown(value - kOutwards * std::abs(value)); };
+  const auto above = [](double value) { return roundedUp(value + kOutwards * std::abs(value)); };
   Area area;
   for (const Point p : piece.corners) {
     const double x = p.x - origin.x;
     const double y = p.y - origin.y;
-    area.include({roundedDown(x), roundedDown(y), roundedUp(x), roundedUp(y)});
+    area.include({below(x), below(y), above(x), above(y)});
   }
   return area;
 }

@@ -36,8 +36,12 @@ using PiecePointer = std::shared_ptr<const Piece>;
 /// As many entries as a node of the tree has at most.
 inline constexpr std::size_t kFan = 8;
 
-/// Axis-aligned areas of a node's entries, field by field for SIMD, rounded outwards; relative to the tree's
-/// origin, along the map's axes [m].
+/// Two numbers in single precision, each rounded twice, compare right if one is moved by this part of it and
+/// the other by this part of what was added to it.
+inline constexpr double kOutwards = 0x1.0p-22;
+
+/// Axis-aligned areas of a node's entries, field by field for SIMD, moved outwards by kOutwards; relative to
+/// the tree's origin, along the map's axes [m].
 struct Areas {
   alignas(32) std::array<float, kFan> min_x, min_y, max_x, max_y;
 };
