@@ -79,7 +79,7 @@ Exactness pairsOfRound(std::uint64_t seed) {
   std::vector<FclScene> scenes;
   for (const Obstacle& obstacle : obstacles) {
     shadows.push_back(reference::shadow(obstacle.box, slab));
-    scenes.emplace_back(Obstacles({obstacle}, no_twin));
+    scenes.emplace_back(std::make_shared<const Obstacles>(std::vector{obstacle}, no_twin));
   }
   Exactness tally;
   for (std::size_t k = 0; k < kBodies; ++k) {
@@ -121,7 +121,7 @@ class MotionRound {
             "random", {{about_.x - kBound_m / 4, about_.y - kBound_m / 4, 0.0}, kBound_m / 2, kBound_m / 2}, 0.0,
             random_.obstacles(about_, kObstacles)))),
         dut_(world_, robot_),
-        fcl_(world_->obstacles()) {}
+        fcl_(std::shared_ptr<const Obstacles>(world_, &world_->obstacles())) {}
 
   Exactness compare() {
     Exactness tally;

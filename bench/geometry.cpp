@@ -50,7 +50,7 @@ struct Upright {
         prism(sweptBox(*robot, stay(0, {}), world.floorZ())),
         fcl(prism.x, prism.y, prism.z),
         layer(Layer::seenIn(prism.z, world.obstacles())),
-        scene(world.obstacles()) {
+        scene(std::make_shared<const Obstacles>(world.obstacles())) {
     fcl.place({});
     keep(scene.touches(fcl) ? 1 : 0);  // makes the tree
   }

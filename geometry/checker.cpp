@@ -28,8 +28,8 @@ struct View {
 
   View(Range z, const Obstacles& obstacles)
       : slab(z), seen(Layer::seenIn(z, obstacles)), hanging(Layer::hangingAbove(z.max, obstacles)) {}
-  View(const View& before, const Obstacles& was, const Obstacles& is)
-      : slab(before.slab), seen(before.seen.changed(was, is)), hanging(before.hanging.changed(was, is)) {}
+  View(const View& before, std::span<const Obstacles::Change> changes)
+      : slab(before.slab), seen(before.seen.changed(changes)), hanging(before.hanging.changed(changes)) {}
 };
 
 /// The bounds, ready to be asked often.
@@ -78,7 +78,7 @@ struct Checker::Engine {
       : world(std::move(w)),
         robot(std::move(r)),
         fence(world->bounds()),
-        scene(world->obstacles()),
+        scene(obstaclesOf(world)),
         judge(*world, *robot, scene) {
     for (std::size_t mode = 0; mode < robot->modes.size(); ++mode)
       of_mode.push_back(viewOf(slabOf(*robot, stay(static_cast<ModeId>(mode), {}), world->floorZ())));
@@ -92,10 +92,17 @@ struct Checker::Engine {
         fence(world->bounds()),
         of_mode(before.of_mode),
         of_switch(before.of_switch),
-        scene(before.scene.changed(world->obstacles())),
+        scene(before.scene.changed(obstaclesOf(world))),
         judge(*world, *robot, scene) {
+    const auto changes = Obstacles::changes(before.world->obstacles(), world->obstacles());
+    const bool are_few = changes.size() <= world->obstacles().size() / 8 + 8;  // else it is quicker anew
+    views.reserve(before.views.size());
     for (const View& view : before.views)
-      views.emplace_back(view, before.world->obstacles(), world->obstacles());
+      are_few ? views.emplace_back(view, changes) : views.emplace_back(view.slab, world->obstacles());
+  }
+
+  static std::shared_ptr<const Obstacles> obstaclesOf(const std::shared_ptr<const World>& world) {
+    return {world, &world->obstacles()};
   }
 
   std::size_t viewOf(Range slab) {

@@ -5,7 +5,10 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <atomic>
 #include <mutex>
+#include <unordered_set>
+#include <vector>
 
 namespace underway {
 namespace {
@@ -66,15 +69,24 @@ void FclBody::place(const Pose& frame) {
   object_->fcl.computeAABB();
 }
 
-class FclScene::Base {
- public:
-  explicit Base(Obstacles obstacles) : obstacles_(std::move(obstacles)) {}
+namespace {
 
-  [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
+/// Obstacles in FCL's dynamic tree.
+class FclTree {
+ public:
+  explicit FclTree(std::vector<Obstacles::Pointer> obstacles) : obstacles_(std::move(obstacles)) {
+    objects_.reserve(obstacles_.size());
+    std::vector<Object*> all;
+    for (const Obstacles::Pointer& obstacle : obstacles_) {
+      Object& object = objects_.emplace_back(objectOf(obstacle->box));
+      all.push_back(&object);
+    }
+    manager_.registerObjects(all);
+    manager_.setup();
+  }
 
   /// Whether an object touches an obstacle that is not among those to pass over.
   bool touches(Object& query, const std::unordered_set<const Obstacle*>& passed_over) const {
-    std::call_once(once_, [this] { build(); });
     Walk walk{&query, this, &passed_over, false};
     manager_.collide(&query, &walk, step);
     return walk.found;
@@ -84,7 +96,7 @@ class FclScene::Base {
   /// What a walk through the tree carries along.
   struct Walk {
     const Object* query;  // FCL does not promise which of two objects is the query
-    const Base* base;
+    const FclTree* tree;
     const std::unordered_set<const Obstacle*>* passed_over;
     bool found;
   };
@@ -93,55 +105,79 @@ class FclScene::Base {
     Walk& walk = *static_cast<Walk*>(data);
     const Object& obstacle = a == walk.query ? *b : *a;
     if (!walk.passed_over->empty()) {
-      const auto i = static_cast<std::size_t>(&obstacle - walk.base->objects_.data());
-      if (walk.passed_over->contains(walk.base->obstacles_.pointer(i).get())) return false;
+      const auto i = static_cast<std::size_t>(&obstacle - walk.tree->objects_.data());
+      if (walk.passed_over->contains(walk.tree->obstacles_[i].get())) return false;
     }
     walk.found = collide(*walk.query, obstacle);
     return walk.found;
   }
 
-  void build() const {
-    objects_.reserve(obstacles_.size());
-    std::vector<Object*> all;
-    for (const Obstacle& obstacle : obstacles_) {
-      Object& object = objects_.emplace_back(objectOf(obstacle.box));
-      all.push_back(&object);
-    }
-    manager_.registerObjects(all);
-    manager_.setup();
-  }
-
-  Obstacles obstacles_;
-  mutable std::once_flag once_;  // of building, by whoever asks first
-  mutable std::vector<Object> objects_;
-  mutable fcl::DynamicAABBTreeCollisionManagerd manager_;
+  std::vector<Obstacles::Pointer> obstacles_;
+  std::vector<Object> objects_;
+  fcl::DynamicAABBTreeCollisionManagerd manager_;
 };
 
-FclScene::FclScene(Obstacles obstacles) : base_(std::make_shared<const Base>(std::move(obstacles))) {}
+}  // namespace
 
-FclScene FclScene::changed(const Obstacles& after) const {
-  FclScene result = *this;
-  result.gone_.clear();
-  result.come_ = nullptr;
-  std::vector<Obstacle> come;
-  std::size_t changes = 0;
-  Obstacles::visitChanges(base_->obstacles(), after,
-                          [&](const Obstacles::Pointer& was, const Obstacles::Pointer& is) {
-                            if (++changes > kMostChanges) return;
-                            if (was) result.gone_.insert(was.get());
-                            if (is) come.push_back(*is);
-                          });
-  if (changes > kMostChanges) return FclScene(after);
-  std::optional<std::string> no_twin;
-  if (!come.empty()) result.come_ = std::make_shared<const Base>(Obstacles(std::move(come), no_twin));
-  return result;
+/// The trees of one revision: a main tree, which may be an earlier revision's, and what came since.
+class FclScene::Forest {
+ public:
+  /// `earlier` has made a main tree of its own; null if no earlier revision has.
+  Forest(std::shared_ptr<const Obstacles> obstacles, std::shared_ptr<const Forest> earlier)
+      : obstacles_(std::move(obstacles)), earlier_(std::move(earlier)) {}
+
+  /// The revision whose main tree a later one may use: this one, if it has made its own, or an earlier one.
+  static std::shared_ptr<const Forest> source(const std::shared_ptr<const Forest>& forest) {
+    return forest->has_own_ ? forest : forest->earlier_;
+  }
+
+  [[nodiscard]] const Obstacles& obstacles() const { return *obstacles_; }
+
+  bool touches(Object& query) const {
+    std::call_once(once_, [this] { make(); });
+    static const std::unordered_set<const Obstacle*> kNone;
+    return main_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
+  }
+
+ private:
+  void make() const {
+    std::vector<Obstacles::Pointer> come;
+    if (earlier_) {
+      const auto changes = Obstacles::changes(earlier_->obstacles(), *obstacles_);
+      if (changes.size() <= kMostChanges) {
+        for (const auto& [before, after] : changes) {
+          if (before) gone_.insert(before.get());
+          if (after) come.push_back(after);
+        }
+        main_ = earlier_->main_;
+        if (!come.empty()) come_ = std::make_unique<const FclTree>(std::move(come));
+      }
+    }
+    if (!main_) {
+      for (std::size_t i = 0; i < obstacles_->size(); ++i) come.push_back(obstacles_->pointer(i));
+      main_ = std::make_shared<const FclTree>(std::move(come));
+      has_own_ = true;
+    }
+  }
+
+  std::shared_ptr<const Obstacles> obstacles_;
+  std::shared_ptr<const Forest> earlier_;
+  mutable std::once_flag once_;  // of making, by whoever asks first
+  mutable std::shared_ptr<const FclTree> main_;
+  mutable std::unordered_set<const Obstacle*> gone_;  // of the main tree's
+  mutable std::unique_ptr<const FclTree> come_;
+  mutable std::atomic<bool> has_own_ = false;  // and it is made
+};
+
+FclScene::FclScene(std::shared_ptr<const Obstacles> obstacles)
+    : forest_(std::make_shared<const Forest>(std::move(obstacles), nullptr)) {}
+FclScene::FclScene(std::shared_ptr<const Forest> forest) : forest_(std::move(forest)) {}
+
+FclScene FclScene::changed(std::shared_ptr<const Obstacles> after) const {
+  return FclScene(std::make_shared<const Forest>(std::move(after), Forest::source(forest_)));
 }
 
-bool FclScene::touches(const FclBody& body) const {
-  static const std::unordered_set<const Obstacle*> kNone;
-  fcl::CollisionObjectd& query = body.object_->fcl;
-  return base_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
-}
+bool FclScene::touches(const FclBody& body) const { return forest_->touches(body.object_->fcl); }
 
 bool FclScene::touches(const Prism& box) const {
   FclBody body(box.x, box.y, box.z);
@@ -150,10 +186,9 @@ bool FclScene::touches(const Prism& box) const {
 }
 
 bool FclScene::touches(Point center, double radius_m, Range z) const {
-  static const std::unordered_set<const Obstacle*> kNone;
   const Vec3 at{center.x, center.y, 0.5 * (z.min + z.max)};
   Object query(std::make_shared<fcl::Cylinderd>(radius_m, z.length()), placed(at, rotation(OrientedBox{})));
-  return base_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
+  return forest_->touches(query);
 }
 
 }  // namespace underway

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <unordered_set>
-#include <vector>
 
 #include "geometry/obstacles.hpp"
 #include "geometry/sweep.hpp"
@@ -26,13 +24,13 @@ class FclBody {
 
 /// The world's source shapes in FCL's dynamic tree, made when it is first asked. Asked for booleans only: its
 /// distances can overestimate. After a change the tree stays as it was: what is gone is passed over, what came
-/// is tested one by one, until that is so much that a new tree is due.
+/// is in a second tree, until that is so much that a new tree is due.
 ///
 /// Thread safety: const members may be called from any number of threads.
 class FclScene {
  public:
-  explicit FclScene(Obstacles obstacles);
-  [[nodiscard]] FclScene changed(const Obstacles& after) const;
+  explicit FclScene(std::shared_ptr<const Obstacles> obstacles);
+  [[nodiscard]] FclScene changed(std::shared_ptr<const Obstacles> after) const;
 
   [[nodiscard]] bool touches(const FclBody& body) const;
   /// Whether a box touches any obstacle.
@@ -41,10 +39,9 @@ class FclScene {
   [[nodiscard]] bool touches(Point center, double radius_m, Range z) const;
 
  private:
-  class Base;  // a tree of obstacles
-  std::shared_ptr<const Base> base_;
-  std::unordered_set<const Obstacle*> gone_;
-  std::shared_ptr<const Base> come_;  // null: none
+  class Forest;
+  explicit FclScene(std::shared_ptr<const Forest> forest);
+  std::shared_ptr<const Forest> forest_;
 };
 
 }  // namespace underway

@@ -61,6 +61,12 @@ Ring ringOf(const Turning& turning) {
   return {turning.pivot(), turning.outerRadius(), turning.innerRadius()};
 }
 
+/// Of an upright box.
+Rectangle footprintOf(const OrientedBox& box) {
+  return {{box.center_m.x, box.center_m.y}, std::cos(box.rpy_rad.z), std::sin(box.rpy_rad.z),
+          0.5 * box.size_m.x, 0.5 * box.size_m.y};
+}
+
 /// An axis-aligned region of the map.
 struct Region {
   double min_x, min_y, max_x, max_y;
@@ -161,25 +167,20 @@ Layer Layer::hangingAbove(double height_m, const Obstacles& obstacles) {
 std::optional<Piece> Layer::pieceFor(const Obstacles::Pointer& obstacle) const {
   std::vector<Point> corners = flatten_(obstacle->box);
   if (corners.empty()) return std::nullopt;
-  Piece piece = pieceOf(obstacle, std::move(corners));
-  piece.is_rectangle = isUpright(obstacle->box);
-  return piece;
+  const Rectangle around = isUpright(obstacle->box) ? footprintOf(obstacle->box) : rectangleAround(corners);
+  return Piece{obstacle, std::move(corners), around, isUpright(obstacle->box)};
 }
 
-Layer Layer::changed(const Obstacles& before, const Obstacles& after) const {
+Layer Layer::changed(std::span<const Obstacles::Change> changes) const {
   Layer result = *this;
-  std::size_t left = after.size() / 8 + 8;  // changes that are quicker made one by one than all at once
-  bool is_worth_it = true;
-  Obstacles::visitChanges(before, after, [&](const Obstacles::Pointer& was, const Obstacles::Pointer& is) {
-    is_worth_it = is_worth_it && left-- > 0;
-    if (!is_worth_it) return;
-    if (was)
-      if (const auto piece = pieceFor(was)) result.tree_ = without(result.tree_, *piece);
-    if (is)
-      if (auto piece = pieceFor(is))
+  for (const auto& [before, after] : changes) {
+    if (before)
+      if (const auto piece = pieceFor(before)) result.tree_ = without(result.tree_, *piece);
+    if (after)
+      if (auto piece = pieceFor(after))
         result.tree_ = with(result.tree_, std::make_shared<const Piece>(std::move(*piece)));
-  });
-  return is_worth_it ? result : Layer(flatten_, after);
+  }
+  return result;
 }
 
 bool Layer::touches(const Prism& body) const { return underway::touches(tree_, body); }

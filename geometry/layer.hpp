@@ -27,8 +27,9 @@ class Layer {
   /// What may hang above a height: all that reaches above it, but for upright boxes that also reach below it,
   /// which are seen already.
   [[nodiscard]] static Layer hangingAbove(double height_m, const Obstacles& obstacles);
-  /// The layer that the same question makes of the obstacles after a change.
-  [[nodiscard]] Layer changed(const Obstacles& before, const Obstacles& after) const;
+  /// The layer that the same question makes of the obstacles after some changes; for few of many, else make it
+  /// anew.
+  [[nodiscard]] Layer changed(std::span<const Obstacles::Change> changes) const;
 
   /// Visited pieces come in no particular order. Return true to stop.
   using Visit = std::function<bool(const Piece&)>;

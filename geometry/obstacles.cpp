@@ -84,18 +84,19 @@ Obstacles Obstacles::without(std::size_t i) const {
   return result;
 }
 
-void Obstacles::visitChanges(const Obstacles& before, const Obstacles& after, const Visit& visit) {
-  const auto at = [](const Obstacles& all, std::size_t i) { return i < all.size_ ? all.pointer(i) : nullptr; };
-  const std::size_t chunks = std::max(before.chunks_.size(), after.chunks_.size());
-  for (std::size_t c = 0; c < chunks; ++c) {
+std::vector<Obstacles::Change> Obstacles::changes(const Obstacles& before, const Obstacles& after) {
+  static const Pointer kNone;
+  const auto at = [](const Obstacles& all, std::size_t i) -> const Pointer& {
+    return i < all.size_ ? all.pointer(i) : kNone;
+  };
+  std::vector<Change> changes;
+  for (std::size_t c = 0; c < std::max(before.chunks_.size(), after.chunks_.size()); ++c) {
     const bool both = c < before.chunks_.size() && c < after.chunks_.size();
     if (both && before.chunks_[c] == after.chunks_[c]) continue;
-    for (std::size_t i = c * kChunk; i < (c + 1) * kChunk; ++i) {
-      const Pointer was = at(before, i);
-      const Pointer is = at(after, i);
-      if (was != is) visit(was, is);
-    }
+    for (std::size_t i = c * kChunk; i < (c + 1) * kChunk; ++i)
+      if (at(before, i) != at(after, i)) changes.push_back({at(before, i), at(after, i)});
   }
+  return changes;
 }
 
 std::shared_ptr<const Obstacles::Bucket>& Obstacles::bucketOf(std::uint64_t hash) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -48,11 +47,14 @@ class Obstacles {
   /// Without the i-th.
   [[nodiscard]] Obstacles without(std::size_t i) const;
 
-  /// Calls visit(before, after) for every obstacle that differs between two tables, with null for one that is
-  /// not there. Quick where the tables share; an obstacle that only changed its place may be visited as gone
-  /// and come.
-  using Visit = std::function<void(const Pointer& before, const Pointer& after)>;
-  static void visitChanges(const Obstacles& before, const Obstacles& after, const Visit& visit);
+  /// An obstacle that differs between two tables; null where it is not there.
+  struct Change {
+    Pointer before;
+    Pointer after;
+  };
+  /// What leads from one table to another. Quick where they share; an obstacle that only changed its place may
+  /// be listed as gone and come.
+  [[nodiscard]] static std::vector<Change> changes(const Obstacles& before, const Obstacles& after);
 
   class Iterator {
    public:

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace underway {
 namespace {
@@ -71,23 +72,11 @@ struct Entry {
 using PieceEntry = Entry<PiecePointer>;
 using NodeEntry = Entry<NodePointer>;
 
-void setAreas(Node& node, std::span<const Area> areas) {
-  node.used = (1U << areas.size()) - 1U;
-  for (std::size_t i = 0; i < kFan; ++i) {
-    const Area area = i < areas.size() ? areas[i] : Area{};
-    node.areas.min_x[i] = area.min_x;
-    node.areas.min_y[i] = area.min_y;
-    node.areas.max_x[i] = area.max_x;
-    node.areas.max_y[i] = area.max_y;
-  }
-}
-
-template <class Held>
-std::vector<Area> areasOf(std::span<const Entry<Held>> entries) {
-  std::vector<Area> areas;
-  areas.reserve(entries.size());
-  for (const auto& entry : entries) areas.push_back(entry.area);
-  return areas;
+void setArea(Node& node, std::size_t i, const Area& area) {
+  node.areas.min_x[i] = area.min_x;
+  node.areas.min_y[i] = area.min_y;
+  node.areas.max_x[i] = area.max_x;
+  node.areas.max_y[i] = area.max_y;
 }
 
 /// Makes nodes, of pieces relative to an origin.
@@ -100,40 +89,55 @@ class Maker {
     return {area, std::move(piece)};
   }
 
-  [[nodiscard]] NodeEntry nodeOf(std::span<const PieceEntry> entries) const {
-    auto leaf = std::make_shared<Leaf>();
-    setAreas(*leaf, areasOf(entries));
-    leaf->x = leaf->y = leaf->cos = leaf->sin = leaf->half_x = leaf->half_y = {};
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const Rectangle& around = entries[i].held->around;
-      leaf->x[i] = static_cast<float>(around.center.x - origin_.x);
-      leaf->y[i] = static_cast<float>(around.center.y - origin_.y);
-      leaf->cos[i] = static_cast<float>(around.cos);
-      leaf->sin[i] = static_cast<float>(around.sin);
-      leaf->half_x[i] = static_cast<float>(around.half_x);
-      leaf->half_y[i] = static_cast<float>(around.half_y);
-      leaf->error_m =
-          std::max(leaf->error_m, kRoundings * (std::abs(leaf->x[i]) + std::abs(leaf->y[i]) + leaf->half_x[i] +
-                                                leaf->half_y[i]));
-      if (entries[i].held->is_rectangle) leaf->rectangles |= 1U << i;
-      leaf->pieces[i] = entries[i].held;
-    }
-    return {areaOf(*leaf), leaf};
-  }
-
-  [[nodiscard]] NodeEntry nodeOf(std::span<const NodeEntry> entries) const {
-    auto branch = std::make_shared<Branch>();
-    setAreas(*branch, areasOf(entries));
-    branch->height = entries[0].held->height + 1;
-    for (std::size_t i = 0; i < entries.size(); ++i) branch->below[i] = entries[i].held;
-    return {areaOf(*branch), branch};
-  }
+  [[nodiscard]] NodeEntry nodeOf(std::span<const PieceEntry> entries) const { return filled<Leaf>(entries); }
+  [[nodiscard]] NodeEntry nodeOf(std::span<const NodeEntry> entries) const { return filled<Branch>(entries); }
 
   /// One node, or two when there is one entry too many.
   template <class Held>
   [[nodiscard]] std::vector<NodeEntry> nodesOf(std::vector<Entry<Held>> entries) const;
 
+  /// Sets the i-th entry, which may be the first that is not used.
+  void put(Leaf& leaf, std::size_t i, const PieceEntry& entry) const {
+    const Rectangle& around = entry.held->around;
+    setArea(leaf, i, entry.area);
+    leaf.x[i] = static_cast<float>(around.center.x - origin_.x);
+    leaf.y[i] = static_cast<float>(around.center.y - origin_.y);
+    leaf.cos[i] = static_cast<float>(around.cos);
+    leaf.sin[i] = static_cast<float>(around.sin);
+    leaf.half_x[i] = static_cast<float>(around.half_x);
+    leaf.half_y[i] = static_cast<float>(around.half_y);
+    leaf.error_m =
+        std::max(leaf.error_m, kRoundings * (std::abs(leaf.x[i]) + std::abs(leaf.y[i]) + leaf.half_x[i] +
+                                             leaf.half_y[i]));
+    leaf.rectangles = (leaf.rectangles & ~(1U << i)) | (entry.held->is_rectangle ? 1U << i : 0U);
+    leaf.used |= 1U << i;
+    leaf.pieces[i] = entry.held;
+  }
+
+  void put(Branch& branch, std::size_t i, const NodeEntry& entry) const {
+    setArea(branch, i, entry.area);
+    branch.height = entry.held->height + 1;
+    branch.used |= 1U << i;
+    branch.below[i] = entry.held;
+  }
+
+  /// A copy with one entry set.
+  template <class Kind, class Held>
+  [[nodiscard]] NodeEntry withEntry(const Kind& node, std::size_t i, const Entry<Held>& entry) const {
+    auto copy = std::make_shared<Kind>(node);
+    put(*copy, i, entry);
+    return {areaOf(*copy), copy};
+  }
+
  private:
+  template <class Kind, class Held>
+  [[nodiscard]] NodeEntry filled(std::span<const Entry<Held>> entries) const {
+    auto node = std::make_shared<Kind>();
+    for (std::size_t i = 0; i < kFan; ++i) setArea(*node, i, {});
+    for (std::size_t i = 0; i < entries.size(); ++i) put(*node, i, entries[i]);
+    return {areaOf(*node), node};
+  }
+
   Point origin_;
 };
 
@@ -221,40 +225,44 @@ std::size_t bestFor(const Branch& branch, const Area& area) {
 
 std::vector<NodeEntry> inserted(const Maker& make, const Node& node, const PieceEntry& piece) {
   if (node.isLeaf()) {
-    auto entries = entriesOf(static_cast<const Leaf&>(node));
+    const auto& leaf = static_cast<const Leaf&>(node);
+    if (leaf.count() < kFan) return {make.withEntry(leaf, leaf.count(), piece)};
+    auto entries = entriesOf(leaf);
     entries.push_back(piece);
     return make.nodesOf(std::move(entries));
   }
   const auto& branch = static_cast<const Branch&>(node);
-  auto entries = entriesOf(branch);
   const std::size_t best = bestFor(branch, piece.area);
-  const auto changed = inserted(make, *entries[best].held, piece);
+  const auto changed = inserted(make, *branch.below[best], piece);
+  if (changed.size() == 1) return {make.withEntry(branch, best, changed[0])};
+  auto entries = entriesOf(branch);
   entries[best] = changed[0];
-  if (changed.size() == 2) entries.push_back(changed[1]);
+  entries.push_back(changed[1]);
   return make.nodesOf(std::move(entries));
 }
 
-/// The entry without the piece, empty (null) if nothing is left of it; none if the piece is not there.
+/// The node without its i-th entry; empty (null) if nothing is left of it.
+template <class Kind>
+NodeEntry withoutEntry(const Maker& make, const Kind& node, std::size_t i) {
+  auto entries = entriesOf(node);
+  entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
+  return entries.empty() ? NodeEntry{} : make.nodeOf(std::span(std::as_const(entries)));
+}
+
+/// The node without the piece, empty (null) if nothing is left of it; none if the piece is not there.
 std::optional<NodeEntry> removed(const Maker& make, const Node& node, const PieceEntry& piece) {
   if (node.isLeaf()) {
-    auto entries = entriesOf(static_cast<const Leaf&>(node));
-    const auto gone = std::find_if(entries.begin(), entries.end(), [&](const PieceEntry& e) {
-      return e.held->obstacle == piece.held->obstacle;
-    });
-    if (gone == entries.end()) return std::nullopt;
-    entries.erase(gone);
-    return entries.empty() ? NodeEntry{} : make.nodeOf(std::span<const PieceEntry>(entries));
+    const auto& leaf = static_cast<const Leaf&>(node);
+    for (std::size_t i = 0; i < leaf.count(); ++i)
+      if (leaf.pieces[i]->obstacle == piece.held->obstacle) return withoutEntry(make, leaf, i);
+    return std::nullopt;
   }
-  auto entries = entriesOf(static_cast<const Branch&>(node));
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (!entries[i].area.holds(piece.area)) continue;
-    const auto changed = removed(make, *entries[i].held, piece);
+  const auto& branch = static_cast<const Branch&>(node);
+  for (std::size_t i = 0; i < branch.count(); ++i) {
+    if (!areaOf(branch, i).holds(piece.area)) continue;
+    const auto changed = removed(make, *branch.below[i], piece);
     if (!changed) continue;
-    if (changed->held)
-      entries[i] = *changed;
-    else
-      entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
-    return entries.empty() ? NodeEntry{} : make.nodeOf(std::span<const NodeEntry>(entries));
+    return changed->held ? make.withEntry(branch, i, *changed) : withoutEntry(make, branch, i);
   }
   return std::nullopt;
 }
@@ -272,7 +280,7 @@ Point originOf(std::span<const Piece> pieces) {
 }
 
 /// The rectangle along one edge.
-Rectangle rectangleAlong(std::span<const Point> corners, Point from, Point to) {
+Rectangle rectangleAlong(ConvexView corners, Point from, Point to) {
   const double length = std::sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
   Rectangle box;
   if (length > 0.0) box.cos = (to.x - from.x) / length, box.sin = (to.y - from.y) / length;
@@ -296,15 +304,14 @@ Rectangle rectangleAlong(std::span<const Point> corners, Point from, Point to) {
 
 }  // namespace
 
-Piece pieceOf(Obstacles::Pointer obstacle, std::vector<Point> corners) {
-  Piece piece{std::move(obstacle), std::move(corners), {}, false};
+Rectangle rectangleAround(ConvexView corners) {
+  Rectangle best;
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-    const Rectangle box =
-        rectangleAlong(piece.corners, piece.corners[i], piece.corners[(i + 1) % piece.corners.size()]);
-    if (const double area = box.half_x * box.half_y; area < smallest) smallest = area, piece.around = box;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Rectangle box = rectangleAlong(corners, corners[i], corners[(i + 1) % corners.size()]);
+    if (const double area = box.half_x * box.half_y; area < smallest) smallest = area, best = box;
   }
-  return piece;
+  return best;
 }
 
 Tree treeOf(std::vector<Piece> pieces) {

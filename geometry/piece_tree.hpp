@@ -12,7 +12,7 @@
 
 namespace underway {
 
-/// The smallest rectangle, along some edge, that a convex piece fits into.
+/// A rectangle in the plane.
 struct Rectangle {
   Point center;      ///< map frame [m]
   double cos = 1.0;  ///< direction of its x axis in the map frame
@@ -25,13 +25,13 @@ struct Rectangle {
 struct Piece {
   Obstacles::Pointer obstacle;
   std::vector<Point> corners;  ///< counter-clockwise, map frame [m]; at least one
-  Rectangle around;
+  Rectangle around;             ///< holds the piece
   bool is_rectangle = false;  ///< whether `around` is exactly the piece
 };
 using PiecePointer = std::shared_ptr<const Piece>;
 
-/// A piece of given corners, with its rectangle.
-[[nodiscard]] Piece pieceOf(Obstacles::Pointer obstacle, std::vector<Point> corners);
+/// The smallest rectangle along an edge round some corners, at least one.
+[[nodiscard]] Rectangle rectangleAround(ConvexView corners);
 
 /// As many entries as a node of the tree has at most.
 inline constexpr std::size_t kFan = 8;
