@@ -28,6 +28,8 @@ struct View {
 
   View(Range z, const Obstacles& obstacles)
       : slab(z), seen(Layer::seenIn(z, obstacles)), hanging(Layer::hangingAbove(z.max, obstacles)) {}
+  View(Range z, const Layer& as_seen, const Obstacles& obstacles)
+      : slab(z), seen(as_seen.askedIn(z)), hanging(Layer::hangingAbove(z.max, obstacles)) {}
   View(const View& before, std::span<const Obstacles::Change> changes)
       : slab(before.slab), seen(before.seen.changed(changes)), hanging(before.hanging.changed(changes)) {}
 };
@@ -109,7 +111,14 @@ struct Checker::Engine {
     const auto known =
         std::find_if(views.begin(), views.end(), [&](const View& view) { return view.slab == slab; });
     if (known != views.end()) return static_cast<std::size_t>(known - views.begin());
-    views.emplace_back(slab, world->obstacles());
+    // Walls that reach through all slabs look the same in each: one tree does for all.
+    const auto alike = std::find_if(views.begin(), views.end(), [&](const View& view) {
+      return Layer::looksAlike(view.slab, slab, world->obstacles());
+    });
+    if (alike != views.end())
+      views.emplace_back(slab, alike->seen, world->obstacles());
+    else
+      views.emplace_back(slab, world->obstacles());
     return views.size() - 1;
   }
 

@@ -48,12 +48,13 @@ std::vector<Point> footprint(const OrientedBox& box) {
 
 bool isUpright(const OrientedBox& box) { return box.rpy_rad.x == 0.0 && box.rpy_rad.y == 0.0; }
 
+bool reachesInto(const OrientedBox& upright, Range slab) {
+  const double half = 0.5 * upright.size_m.z;
+  return upright.center_m.z - half <= slab.max && upright.center_m.z + half >= slab.min;
+}
+
 std::vector<Point> flattened(const OrientedBox& box, Range slab) {
-  if (isUpright(box)) {
-    const double half = 0.5 * box.size_m.z;
-    const bool is_seen = box.center_m.z - half <= slab.max && box.center_m.z + half >= slab.min;
-    return is_seen ? footprint(box) : std::vector<Point>{};
-  }
+  if (isUpright(box)) return reachesInto(box, slab) ? footprint(box) : std::vector<Point>{};
   const std::array<Vec3, 8> vertices = corners(box);
   std::vector<Point> shadow;
   for (const Vec3& v : vertices)

@@ -14,6 +14,9 @@ inline constexpr double kFlush_m = 1e-11;
 /// Whether a box stands upright: neither rolled nor pitched.
 [[nodiscard]] bool isUpright(const OrientedBox& box);
 
+/// Whether an upright box reaches into a slab of heights (closed).
+[[nodiscard]] bool reachesInto(const OrientedBox& upright, Range slab);
+
 /// The part of a box between two heights (closed), projected to the floor: corners counter-clockwise, map
 /// frame [m]; empty when there is none. Four corners, in the box's own order, if the box is upright.
 [[nodiscard]] std::vector<Point> flattened(const OrientedBox& box, Range slab);

@@ -61,6 +61,13 @@ Ring ringOf(const Turning& turning) {
   return {turning.pivot(), turning.outerRadius(), turning.innerRadius()};
 }
 
+/// What ends flush with a slab touches it, however that rounds.
+Range widened(Range slab) { return slab.grown(kFlush_m); }
+
+auto seenBy(Range slab) {
+  return [seen = widened(slab)](const OrientedBox& box) { return flattened(box, seen); };
+}
+
 /// Of an upright box.
 Rectangle footprintOf(const OrientedBox& box) {
   return {{box.center_m.x, box.center_m.y}, std::cos(box.rpy_rad.z), std::sin(box.rpy_rad.z),
@@ -150,10 +157,14 @@ Layer::Layer(Flatten flatten, const Obstacles& obstacles) : flatten_(std::move(f
   tree_ = treeOf(std::move(pieces));
 }
 
-Layer Layer::seenIn(Range slab, const Obstacles& obstacles) {
-  // What ends flush with the slab touches it, however that rounds.
-  const Range seen = slab.grown(kFlush_m);
-  return {[seen](const OrientedBox& box) { return flattened(box, seen); }, obstacles};
+Layer Layer::seenIn(Range slab, const Obstacles& obstacles) { return {seenBy(slab), obstacles}; }
+Layer Layer::askedIn(Range slab) const { return {seenBy(slab), tree_}; }
+
+bool Layer::looksAlike(Range a, Range b, const Obstacles& obstacles) {
+  return std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
+    const OrientedBox& box = obstacle.box;
+    return isUpright(box) && reachesInto(box, widened(a)) == reachesInto(box, widened(b));
+  });
 }
 
 Layer Layer::hangingAbove(double height_m, const Obstacles& obstacles) {

@@ -24,6 +24,9 @@ class Layer {
  public:
   /// Each obstacle cut to a slab of heights and projected to the floor, exactly.
   [[nodiscard]] static Layer seenIn(Range slab, const Obstacles& obstacles);
+  /// Whether every obstacle looks the same in two slabs: then one's layer does for the other, asked in it.
+  [[nodiscard]] static bool looksAlike(Range a, Range b, const Obstacles& obstacles);
+  [[nodiscard]] Layer askedIn(Range slab) const;
   /// What may hang above a height: all that reaches above it, but for upright boxes that also reach below it,
   /// which are seen already.
   [[nodiscard]] static Layer hangingAbove(double height_m, const Obstacles& obstacles);
@@ -56,6 +59,7 @@ class Layer {
   /// The corners of an obstacle's piece; none when it has no piece here.
   using Flatten = std::function<std::vector<Point>(const OrientedBox&)>;
   Layer(Flatten flatten, const Obstacles& obstacles);
+  Layer(Flatten flatten, Tree tree) : flatten_(std::move(flatten)), tree_(std::move(tree)) {}
   [[nodiscard]] std::optional<Piece> pieceFor(const Obstacles::Pointer& obstacle) const;
 
   Flatten flatten_;
