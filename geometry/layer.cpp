@@ -17,7 +17,9 @@ constexpr double kAnyHeight_m = 1e6;
 class BodyCloser : public Closer {
  public:
   explicit BodyCloser(const Prism& body) : footprint_(body.footprint()) {}
-  bool touches(const Piece& piece) override { return areTouching(footprint_, piece.corners); }
+  bool touches(const Piece& piece) override {
+    return withCorners(piece, [&](ConvexView corners) { return areTouching(footprint_, corners); });
+  }
 
  private:
   std::array<Point, 4> footprint_;
@@ -26,7 +28,9 @@ class BodyCloser : public Closer {
 class TurningCloser : public Closer {
  public:
   explicit TurningCloser(const Turning& turning) : turning_(turning) {}
-  bool touches(const Piece& piece) override { return turning_.touches(piece.corners); }
+  bool touches(const Piece& piece) override {
+    return withCorners(piece, [&](ConvexView corners) { return turning_.touches(corners); });
+  }
 
  private:
   const Turning& turning_;
@@ -36,7 +40,8 @@ class DiscCloser : public Closer {
  public:
   DiscCloser(Point center, double radius_m) : center_(center), radius_m_(radius_m) {}
   bool touches(const Piece& piece) override {
-    return !(distanceTo(piece.corners, center_) > radius_m_);
+    return withCorners(piece,
+                       [&](ConvexView corners) { return !(distanceTo(corners, center_) > radius_m_); });
   }
 
  private:
@@ -63,10 +68,6 @@ Ring ringOf(const Turning& turning) {
 
 /// What ends flush with a slab touches it, however that rounds.
 Range widened(Range slab) { return slab.grown(kFlush_m); }
-
-auto seenBy(Range slab) {
-  return [seen = widened(slab)](const OrientedBox& box) { return flattened(box, seen); };
-}
 
 /// Of an upright box.
 Rectangle footprintOf(const OrientedBox& box) {
@@ -127,7 +128,7 @@ class NearestSearch {
   void consider(const Piece& piece) {
     const bool is_tie_won = best_.piece != nullptr && piece.obstacle->id < best_.piece->obstacle->id;
     if (best_.gap.distance_m == 0.0 && !is_tie_won) return;  // nothing is nearer than touching
-    const Gap gap = gap_to_(piece.corners);
+    const Gap gap = withCorners(piece, gap_to_);
     if (gap.distance_m < best_.gap.distance_m || (gap.distance_m == best_.gap.distance_m && is_tie_won))
       best_ = {&piece, gap};
   }
@@ -149,7 +150,7 @@ std::optional<Layer::Neighbour> nearestIn(const Tree& tree, const Region& region
 
 }  // namespace
 
-Layer::Layer(Flatten flatten, const Obstacles& obstacles) : flatten_(std::move(flatten)) {
+Layer::Layer(Question question, Range slab, const Obstacles& obstacles) : question_(question), slab_(slab) {
   std::vector<Piece> pieces;
   pieces.reserve(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i)
@@ -157,8 +158,11 @@ Layer::Layer(Flatten flatten, const Obstacles& obstacles) : flatten_(std::move(f
   tree_ = treeOf(std::move(pieces));
 }
 
-Layer Layer::seenIn(Range slab, const Obstacles& obstacles) { return {seenBy(slab), obstacles}; }
-Layer Layer::askedIn(Range slab) const { return {seenBy(slab), tree_}; }
+Layer Layer::seenIn(Range slab, const Obstacles& obstacles) {
+  return {Question::kSeen, widened(slab), obstacles};
+}
+
+Layer Layer::askedIn(Range slab) const { return {question_, widened(slab), tree_}; }
 
 bool Layer::looksAlike(Range a, Range b, const Obstacles& obstacles) {
   return std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
@@ -168,18 +172,21 @@ bool Layer::looksAlike(Range a, Range b, const Obstacles& obstacles) {
 }
 
 Layer Layer::hangingAbove(double height_m, const Obstacles& obstacles) {
-  const auto flatten = [height_m](const OrientedBox& box) {
-    const bool is_seen = isUpright(box) && box.center_m.z - 0.5 * box.size_m.z <= height_m + kFlush_m;
-    return is_seen ? std::vector<Point>{} : flattened(box, {height_m, kAnyHeight_m});
-  };
-  return {flatten, obstacles};
+  return {Question::kHanging, {height_m, kAnyHeight_m}, obstacles};
 }
 
 std::optional<Piece> Layer::pieceFor(const Obstacles::Pointer& obstacle) const {
-  std::vector<Point> corners = flatten_(obstacle->box);
-  if (corners.empty()) return std::nullopt;
-  const Rectangle around = isUpright(obstacle->box) ? footprintOf(obstacle->box) : rectangleAround(corners);
-  return Piece{obstacle, std::move(corners), around, isUpright(obstacle->box)};
+  const OrientedBox& box = obstacle->box;
+  if (!isUpright(box)) {
+    std::vector<Point> polygon = flattened(box, slab_);
+    if (polygon.empty()) return std::nullopt;
+    const Rectangle around = rectangleAround(polygon);
+    return Piece{obstacle, around, std::move(polygon)};
+  }
+  const bool is_seen_already =
+      question_ == Question::kHanging && box.center_m.z - 0.5 * box.size_m.z <= slab_.min + kFlush_m;
+  if (is_seen_already || !reachesInto(box, slab_)) return std::nullopt;
+  return Piece{obstacle, footprintOf(box), {}};
 }
 
 Layer Layer::changed(std::span<const Obstacles::Change> changes) const {

@@ -56,13 +56,13 @@ class Layer {
   [[nodiscard]] const Tree& tree() const { return tree_; }
 
  private:
-  /// The corners of an obstacle's piece; none when it has no piece here.
-  using Flatten = std::function<std::vector<Point>(const OrientedBox&)>;
-  Layer(Flatten flatten, const Obstacles& obstacles);
-  Layer(Flatten flatten, Tree tree) : flatten_(std::move(flatten)), tree_(std::move(tree)) {}
+  enum class Question { kSeen, kHanging };
+  Layer(Question question, Range slab, const Obstacles& obstacles);
+  Layer(Question question, Range slab, Tree tree) : question_(question), slab_(slab), tree_(std::move(tree)) {}
   [[nodiscard]] std::optional<Piece> pieceFor(const Obstacles::Pointer& obstacle) const;
 
-  Flatten flatten_;
+  Question question_;
+  Range slab_;  // of heights that are flattened, a hair wider than asked
   Tree tree_;
 };
 

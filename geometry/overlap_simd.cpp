@@ -233,10 +233,10 @@ bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
   return false;
 }
 
-/// In double precision, for the pieces that single precision leaves open.
+/// In double precision, by the same code for all instruction sets, for the pieces that single precision leaves open.
 struct ExactBody {
   const Prism& body;
-  bool touches(const Piece& piece) const { return areTouching(body.footprint(), piece.corners); }
+  bool touches(const Piece& piece) const { return areTouching(body, piece); }
 };
 
 struct ExactShape {
@@ -337,6 +337,10 @@ Kernels& chosen() {
 }
 
 }  // namespace
+
+bool areTouching(const Prism& body, const Piece& piece) {
+  return withCorners(piece, [&](ConvexView corners) { return areTouching(body.footprint(), corners); });
+}
 
 void chooseInstructionSet() { chosen() = HWY_DYNAMIC_DISPATCH(kernels)(); }
 

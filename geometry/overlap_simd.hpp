@@ -22,6 +22,9 @@ class Closer {
   virtual bool touches(const Piece& piece) = 0;
 };
 
+/// The same for bodies: whether a piece touches a body's footprint.
+[[nodiscard]] bool areTouching(const Prism& body, const Piece& piece);
+
 /// Takes the pieces that a fast look at the tree cannot tell to be apart from a shape.
 class Sieve {
  public:
@@ -32,7 +35,7 @@ class Sieve {
 };
 
 // These look at a tree's pieces in single precision, eight at a time. What is nearer to contact than single
-// precision can tell is decided in double precision (areTouching of convex.hpp, or the closer) or left to the
+// precision can tell is decided in double precision (areTouching, or the closer) or left to the
 // sieve: so all instruction sets give the same answers. The code is made for each that Highway knows of, and
 // chosen when the program runs.
 //

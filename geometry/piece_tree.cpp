@@ -34,22 +34,18 @@ struct Area {
   [[nodiscard]] float middleY() const { return 0.5F * (min_y + max_y); }
 };
 
-float roundedDown(double value) {
-  const auto nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) <= value ? nearest : std::nextafter(nearest, -kInfinite);
-}
-float roundedUp(double value) { return -roundedDown(-value); }
-
 /// Relative to an origin, and larger by what whoever compares with it in single precision may be off.
 Area areaOf(const Piece& piece, Point origin) {
-  const auto below = [](double value) { return roundedDown(value - kOutwards * std::abs(value)); };
-  const auto above = [](double value) { return roundedUp(value + kOutwards * std::abs(value)); };
+  const auto below = [](double value) { return static_cast<float>(value - kOutwards * std::abs(value)); };
+  const auto above = [](double value) { return static_cast<float>(value + kOutwards * std::abs(value)); };
   Area area;
-  for (const Point p : piece.corners) {
-    const double x = p.x - origin.x;
-    const double y = p.y - origin.y;
-    area.include({below(x), below(y), above(x), above(y)});
-  }
+  withCorners(piece, [&](ConvexView corners) {
+    for (const Point p : corners) {
+      const double x = p.x - origin.x;
+      const double y = p.y - origin.y;
+      area.include({below(x), below(y), above(x), above(y)});
+    }
+  });
   return area;
 }
 
@@ -109,7 +105,7 @@ class Maker {
     leaf.error_m =
         std::max(leaf.error_m, kRoundings * (std::abs(leaf.x[i]) + std::abs(leaf.y[i]) + leaf.half_x[i] +
                                              leaf.half_y[i]));
-    leaf.rectangles = (leaf.rectangles & ~(1U << i)) | (entry.held->is_rectangle ? 1U << i : 0U);
+    leaf.rectangles = (leaf.rectangles & ~(1U << i)) | (entry.held->isRectangle() ? 1U << i : 0U);
     leaf.used |= 1U << i;
     leaf.pieces[i] = entry.held;
   }
@@ -141,51 +137,90 @@ class Maker {
   Point origin_;
 };
 
-/// Orders entries so that those before `cut` lie to one side of the rest, along the longer way.
 template <class Held>
-void part(std::span<Entry<Held>> entries, std::size_t cut) {
-  Area middles;
-  for (const auto& entry : entries) {
-    const float x = entry.area.middleX();
-    const float y = entry.area.middleY();
-    middles.include({x, y, x, y});
-  }
-  const bool along_x = middles.max_x - middles.min_x >= middles.max_y - middles.min_y;
-  const auto at = entries.begin() + static_cast<std::ptrdiff_t>(cut);
-  std::nth_element(entries.begin(), at, entries.end(), [along_x](const auto& a, const auto& b) {
-    return along_x ? a.area.middleX() < b.area.middleX() : a.area.middleY() < b.area.middleY();
-  });
+Point middleOf(const Entry<Held>& entry) {
+  return {static_cast<double>(entry.area.middleX()), static_cast<double>(entry.area.middleY())};
 }
 
+/// Orders things so that the middles of those before `cut` lie to one side of the rest, along the longer way.
+template <class Things>
+void part(Things things, std::size_t cut) {
+  Point low = middleOf(things[0]);
+  Point high = low;
+  for (const auto& thing : things) {
+    const Point at = middleOf(thing);
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+  }
+  const auto order = [&](const auto& is_before) {
+    std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(cut), things.end(), is_before);
+  };
+  if (high.x - low.x >= high.y - low.y)
+    order([](const auto& a, const auto& b) { return middleOf(a).x < middleOf(b).x; });
+  else
+    order([](const auto& a, const auto& b) { return middleOf(a).y < middleOf(b).y; });
+}
+
+/// A piece by its middle and its place: small, so that many of them are moved about quickly.
+struct Item {
+  float x;
+  float y;
+  std::uint32_t piece;
+};
+Point middleOf(const Item& item) { return {static_cast<double>(item.x), static_cast<double>(item.y)}; }
+
+/// Loads a tree top down from pieces that lie in one block.
 class Loader {
  public:
-  explicit Loader(Point origin) : make_(origin) {}
+  Loader(std::shared_ptr<const std::vector<Piece>> block, Point origin)
+      : block_(std::move(block)), make_(origin), origin_(origin) {}
 
-  /// A node `height` levels above the leaves.
-  NodeEntry load(std::span<PieceEntry> pieces, std::size_t height) const {
-    if (height == 0) return make_.nodeOf(std::span<const PieceEntry>(pieces));
-    std::size_t room = kFan;  // of one entry
-    for (std::size_t level = 1; level < height; ++level) room *= kFan;
-    std::vector<NodeEntry> entries;
-    distribute(pieces, (pieces.size() + room - 1) / room, height - 1, entries);
-    return make_.nodeOf(std::span<const NodeEntry>(entries));
+  [[nodiscard]] NodePointer load() const {
+    std::vector<Item> items;
+    items.reserve(block_->size());
+    for (const Piece& piece : *block_)
+      items.push_back({static_cast<float>(piece.around.center.x - origin_.x),
+                       static_cast<float>(piece.around.center.y - origin_.y),
+                       static_cast<std::uint32_t>(items.size())});
+    std::size_t height = 0;
+    for (std::size_t room = kFan; room < items.size(); room *= kFan) ++height;
+    return nodeOf(items, height).held;
   }
 
  private:
-  void distribute(std::span<PieceEntry> pieces, std::size_t parts, std::size_t height,
+  /// A node `height` levels above the leaves.
+  [[nodiscard]] NodeEntry nodeOf(std::span<Item> items, std::size_t height) const {
+    if (height == 0) return leafOf(items);
+    std::size_t room = kFan;  // of one entry
+    for (std::size_t level = 1; level < height; ++level) room *= kFan;
+    std::vector<NodeEntry> entries;
+    distribute(items, (items.size() + room - 1) / room, height - 1, entries);
+    return make_.nodeOf(std::span<const NodeEntry>(entries));
+  }
+
+  [[nodiscard]] NodeEntry leafOf(std::span<const Item> items) const {
+    std::vector<PieceEntry> entries;
+    entries.reserve(items.size());
+    for (const Item& item : items) entries.push_back(make_.entryOf(PiecePointer(block_, &(*block_)[item.piece])));
+    return make_.nodeOf(std::span<const PieceEntry>(entries));
+  }
+
+  void distribute(std::span<Item> items, std::size_t parts, std::size_t height,
                   std::vector<NodeEntry>& entries) const {
     if (parts == 1) {
-      entries.push_back(load(pieces, height));
+      entries.push_back(nodeOf(items, height));
       return;
     }
     const std::size_t before = parts / 2;
-    const std::size_t cut = pieces.size() * before / parts;
-    part(pieces, cut);
-    distribute(pieces.first(cut), before, height, entries);
-    distribute(pieces.subspan(cut), parts - before, height, entries);
+    const std::size_t cut = items.size() * before / parts;
+    part(items, cut);
+    distribute(items.first(cut), before, height, entries);
+    distribute(items.subspan(cut), parts - before, height, entries);
   }
 
+  std::shared_ptr<const std::vector<Piece>> block_;
   Maker make_;
+  Point origin_;
 };
 
 template <class Held>
@@ -267,12 +302,12 @@ std::optional<NodeEntry> removed(const Maker& make, const Node& node, const Piec
   return std::nullopt;
 }
 
-/// In the middle of the first corners of pieces.
+/// In the middle of pieces.
 Point originOf(std::span<const Piece> pieces) {
-  Range x{pieces[0].corners[0].x, pieces[0].corners[0].x};
-  Range y{pieces[0].corners[0].y, pieces[0].corners[0].y};
+  Range x{pieces[0].around.center.x, pieces[0].around.center.x};
+  Range y{pieces[0].around.center.y, pieces[0].around.center.y};
   for (const Piece& piece : pieces) {
-    const Point p = piece.corners[0];
+    const Point p = piece.around.center;
     x = hull(x, {p.x, p.x});
     y = hull(y, {p.y, p.y});
   }
@@ -304,6 +339,13 @@ Rectangle rectangleAlong(ConvexView corners, Point from, Point to) {
 
 }  // namespace
 
+std::array<Point, 4> cornersOf(const Rectangle& r) {
+  const auto at = [&](double x, double y) {
+    return Point{r.center.x + r.cos * x - r.sin * y, r.center.y + r.sin * x + r.cos * y};
+  };
+  return {at(-r.half_x, -r.half_y), at(r.half_x, -r.half_y), at(r.half_x, r.half_y), at(-r.half_x, r.half_y)};
+}
+
 Rectangle rectangleAround(ConvexView corners) {
   Rectangle best;
   double smallest = std::numeric_limits<double>::infinity();
@@ -318,13 +360,7 @@ Tree treeOf(std::vector<Piece> pieces) {
   if (pieces.empty()) return {};
   const auto block = std::make_shared<const std::vector<Piece>>(std::move(pieces));
   const Point origin = originOf(*block);
-  const Maker make(origin);
-  std::vector<PieceEntry> entries;
-  entries.reserve(block->size());
-  for (const Piece& piece : *block) entries.push_back(make.entryOf(PiecePointer(block, &piece)));
-  std::size_t height = 0;
-  for (std::size_t room = kFan; room < entries.size(); room *= kFan) ++height;
-  return {Loader(origin).load(entries, height).held, origin};
+  return {Loader(block, origin).load(), origin};
 }
 
 Tree with(const Tree& tree, PiecePointer piece) {

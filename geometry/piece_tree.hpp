@@ -21,17 +21,27 @@ struct Rectangle {
   double half_y = 0.0;
 };
 
-/// A convex piece of floor that an obstacle takes from a mode.
+/// The corners, counter-clockwise.
+[[nodiscard]] std::array<Point, 4> cornersOf(const Rectangle& rectangle);
+/// The smallest rectangle along an edge round some corners, at least one.
+[[nodiscard]] Rectangle rectangleAround(ConvexView corners);
+
+/// A convex piece of floor that an obstacle takes from a mode: a rectangle mostly.
 struct Piece {
   Obstacles::Pointer obstacle;
-  std::vector<Point> corners;  ///< counter-clockwise, map frame [m]; at least one
-  Rectangle around;             ///< holds the piece
-  bool is_rectangle = false;  ///< whether `around` is exactly the piece
+  Rectangle around;            ///< the piece itself, or the smallest that holds the polygon
+  std::vector<Point> polygon;  ///< counter-clockwise, map frame [m]; empty if the piece is a rectangle
+  [[nodiscard]] bool isRectangle() const { return polygon.empty(); }
 };
 using PiecePointer = std::shared_ptr<const Piece>;
 
-/// The smallest rectangle along an edge round some corners, at least one.
-[[nodiscard]] Rectangle rectangleAround(ConvexView corners);
+/// Calls `look(corners)` with a piece's corners, and returns what it does.
+template <class Look>
+auto withCorners(const Piece& piece, const Look& look) {
+  if (!piece.isRectangle()) return look(ConvexView(piece.polygon));
+  const auto corners = cornersOf(piece.around);
+  return look(ConvexView(corners));
+}
 
 /// As many entries as a node of the tree has at most.
 inline constexpr std::size_t kFan = 8;

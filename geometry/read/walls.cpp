@@ -122,7 +122,7 @@ Obstacle wallOf(const Grid& grid, const CellBlock& block, double floor_z_m, doub
   const double cell = grid.resolution_m;
   const Point middle = transform(grid.origin, {(2.0 * block.column + block.columns) * cell / 2.0,
                                                (2.0 * block.row + block.rows) * cell / 2.0});
-  return {"cells_c" + std::to_string(block.column) + "_r" + std::to_string(block.row),
+  return {"wall_" + std::to_string(block.column) + "_" + std::to_string(block.row),
           {.center_m = {middle.x, middle.y, floor_z_m + height_m / 2.0},
            .size_m = {block.columns * cell, block.rows * cell, height_m},
            .rpy_rad = {0.0, 0.0, grid.origin.yaw}}};

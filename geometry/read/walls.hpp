@@ -25,7 +25,7 @@ struct CellBlock {
 [[nodiscard]] std::optional<std::vector<CellBlock>> blocksOf(const Grid& grid, Unknown unknown,
                                                              std::size_t most);
 
-/// A block as an obstacle from the floor up, turned with the grid: "cells_c12_r30", after its lower left
+/// A block as an obstacle from the floor up, turned with the grid: "wall_12_30", after its lower left
 /// cell.
 [[nodiscard]] Obstacle wallOf(const Grid& grid, const CellBlock& block, double floor_z_m, double height_m);
 

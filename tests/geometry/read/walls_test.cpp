@@ -98,7 +98,7 @@ TEST(Walls, TheUnionIsExactlyTheOccupiedCellsOfRandomGrids) {
 TEST(Walls, AWallStandsOnTheFloorOverItsCells) {
   const Grid grid = gridOf({"....", ".##.", "...."}, {10.0, 20.0, 0.0}, 0.5);
   const Obstacle dut = wallOf(grid, {1, 1, 2, 1}, 0.25, 2.0);
-  EXPECT_EQ(dut.id, "cells_c1_r1");
+  EXPECT_EQ(dut.id, "wall_1_1");
   EXPECT_EQ(dut.box.center_m, (Vec3{11.0, 20.75, 1.25}));
   EXPECT_EQ(dut.box.size_m, (Vec3{1.0, 0.5, 2.0}));
   EXPECT_EQ(dut.box.rpy_rad, (Vec3{0.0, 0.0, 0.0}));
