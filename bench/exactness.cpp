@@ -56,6 +56,7 @@ void count(Exactness& tally, double separation_m, bool second_says_apart, bool t
   const bool collides = separation_m <= 0.0;
   const bool is_near = std::abs(separation_m) <= kNear_m;
   ++tally.cases;
+  tally.answers += touches ? tally.cases * tally.cases : 0;
   tally.collisions += collides ? 1 : 0;
   tally.near_contact += is_near ? 1 : 0;
   tally.missed += collides && !touches ? 1 : 0;
@@ -253,6 +254,7 @@ void Exactness::add(const Exactness& other) {
   fcl_missed += other.fcl_missed;
   fcl_false_alarms += other.fcl_false_alarms;
   doubtful += other.doubtful;
+  answers += other.answers;  // in any order
 }
 
 void ClearanceExactness::add(const ClearanceExactness& other) {

@@ -19,6 +19,7 @@ struct Exactness {
   std::uint64_t fcl_missed = 0;       ///< deeper than 1 um, and not found by FCL (turns: sampled each 2 degrees)
   std::uint64_t fcl_false_alarms = 0; ///< clear, and a collision to FCL
   std::uint64_t doubtful = 0;         ///< further than 1 um from contact, and the two references disagree
+  std::uint64_t answers = 0;           ///< a fingerprint of all the engine's answers, near contact too
   void add(const Exactness& other);
 };
 

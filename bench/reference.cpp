@@ -55,7 +55,7 @@ std::vector<Point> distinct(const std::vector<Point>& points) {
   std::vector<Point> kept;
   for (const Point p : points) {
     const bool is_known = std::any_of(kept.begin(), kept.end(), [p](Point q) {
-      return std::hypot(p.x - q.x, p.y - q.y) < 1e-12;
+      return std::hypot(p.x - q.x, p.y - q.y) < 1e-10;
     });
     if (!is_known) kept.push_back(p);
   }
@@ -66,7 +66,7 @@ std::vector<Point> distinct(const std::vector<Point>& points) {
 /// line, but for rounding, to the furthest.
 std::vector<Point> wrapped(const std::vector<Point>& points) {
   if (points.empty()) return {};
-  constexpr double kInLine_m = 1e-11;
+  constexpr double kInLine_m = 2e-10;  // above the rounding of coordinates within 100 km
   const auto is_lower = [](Point a, Point b) { return a.y < b.y || (a.y == b.y && a.x < b.x); };
   std::vector<Point> hull;
   Point here = *std::min_element(points.begin(), points.end(), is_lower);

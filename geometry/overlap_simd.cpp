@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 // This file is compiled once for each instruction set. It must not include Eigen, FCL or OMPL.
 #undef HWY_TARGET_INCLUDE
@@ -342,7 +343,21 @@ bool areTouching(const Prism& body, const Piece& piece) {
   return withCorners(piece, [&](ConvexView corners) { return areTouching(body.footprint(), corners); });
 }
 
-void chooseInstructionSet() { chosen() = HWY_DYNAMIC_DISPATCH(kernels)(); }
+std::vector<std::string> instructionSets() {
+  std::vector<std::string> names;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  return names;
+}
+
+void useInstructionSet(const std::string& name) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    if (name != hwy::TargetName(target)) continue;
+    hwy::GetChosenTarget().Update(target);
+    chosen() = HWY_DYNAMIC_DISPATCH(kernels)();
+    return;
+  }
+  throw std::invalid_argument("this machine has no instruction set " + name);
+}
 
 bool touches(const Tree& tree, const Prism& body) {
   return tree.root && chosen().touch_body(tree, body);

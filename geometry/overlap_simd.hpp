@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "geometry/piece_tree.hpp"
 #include "geometry/sweep.hpp"
@@ -51,8 +53,9 @@ void touchEach(const Tree& tree, std::span<const Prism> bodies, std::span<char> 
 void sift(const Tree& tree, const Prism& body, Sieve& sieve);
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve);
 
-/// Chooses the instruction set anew, after Highway was told to leave some out; for tests. Not while others call
-/// the functions above.
-void chooseInstructionSet();
+/// The instruction sets that the code is made for and this machine has, the best one first: "AVX2", "SSE4".
+[[nodiscard]] std::vector<std::string> instructionSets();
+/// Uses one of them from now on, instead of the best one; for tests. Not while others call the functions above.
+void useInstructionSet(const std::string& name);
 
 }  // namespace underway

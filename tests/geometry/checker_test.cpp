@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <thread>
 
 #include "geometry/judge.hpp"
 #include "geometry/flatten.hpp"
@@ -59,7 +62,7 @@ class CheckerProperty : public ::testing::TestWithParam<unsigned> {
   Checker dut{world, robot};
 };
 
-TEST_P(CheckerProperty, FreeMeansFreeAtEverySampleAndBlockedMeansAContactWithinATenthOfAMillimetre) {
+TEST_P(CheckerProperty, FreeMeansFreeAtEverySampleAndBlockedMeansAContactNearOne) {
   for (int i = 0; i < kCases / 20; ++i) {
     const Motion motion = random.motion(*robot);
     const Sampled truth = sampled(*world, *robot, motion);
@@ -145,6 +148,90 @@ TEST_P(CheckerProperty, RemovingAnObstacleNeverBlocks) {
   }
 }
 
+TEST_P(CheckerProperty, ASweepOfNoLengthIsThePose) {
+  for (int i = 0; i < kCases; ++i) {
+    const auto mode = static_cast<ModeId>(random.oneOf(3));
+    const Pose pose = random.pose();
+    const Motion sweep = translate(mode, kSenses[static_cast<std::size_t>(random.oneOf(4))], pose, 0.0);
+    ASSERT_EQ(dut.isFree(sweep), dut.isFree(stay(mode, pose)));
+    ASSERT_EQ(dut.closeness(sweep).clearance_m, dut.closeness(stay(mode, pose)).clearance_m);
+  }
+}
+
+TEST_P(CheckerProperty, ASweepHoldsBothThatItIsMadeOf) {
+  for (int i = 0; i < kCases; ++i) {
+    const auto mode = static_cast<ModeId>(random.oneOf(3));
+    const Pose pose = random.pose();
+    const Sense sense = kSenses[static_cast<std::size_t>(random.oneOf(4))];
+    const double length_m = random.between(0.0, 1.0);
+    const Motion whole = translate(mode, sense, pose, length_m);
+    const Motion first = translate(mode, sense, pose, random.between(0.0, 1.0) * length_m);
+    const Motion second = translate(mode, sense, first.to, whole.to.position());
+    if (dut.isFree(whole)) {
+      ASSERT_TRUE(dut.isFree(first) && dut.isFree(second)) << "case " << i;
+    }
+    const double least = std::min(dut.closeness(first).clearance_m, dut.closeness(second).clearance_m);
+    ASSERT_LE(dut.closeness(whole).clearance_m, least + 1e-9) << "case " << i;
+  }
+}
+
+TEST_P(CheckerProperty, ClearanceIsZeroExactlyWhenAMotionTouches) {
+  for (int i = 0; i < kCases; ++i) {
+    const Motion motion = random.motion(*robot);
+    if (!dut.isInBounds(motion)) continue;
+    ASSERT_EQ(dut.closeness(motion).clearance_m == 0.0, !dut.isFree(motion, 0.0)) << "case " << i;
+  }
+}
+
+TEST_P(CheckerProperty, ManyMotionsInOneCallAreAnsweredAsOneByOne) {
+  std::vector<Motion> motions;
+  for (int i = 0; i < kCases; ++i) motions.push_back(random.motion(*robot));
+  const std::vector<char> free = dut.areFree(motions, 0.02);
+  ASSERT_EQ(free.size(), motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) ASSERT_EQ(free[i] != 0, dut.isFree(motions[i], 0.02)) << i;
+}
+
+/// The same answers from one that was changed step by step as from one made anew; the first one's stay.
+TEST_P(CheckerProperty, RevisionsAnswerAsCheckersMadeAnewAndDisturbNoEarlierOne) {
+  std::vector<Motion> motions;
+  for (int i = 0; i < 300; ++i) motions.push_back(random.motion(*robot));
+  const std::vector<char> at_first = dut.areFree(motions, 0.02);
+  std::atomic<bool> is_over = false;
+  std::jthread reader([&] {  // all the while
+    while (!is_over) {
+      ASSERT_EQ(dut.areFree(motions, 0.02), at_first);
+      for (int k = 0; k < 3; ++k) (void)dut.judge().isClear(motions[static_cast<std::size_t>(k)], 0.0);
+    }
+  });
+  Checker changed = dut.at(world);
+  auto revision = world;
+  for (int step = 0; step < 60; ++step) {
+    const auto i = static_cast<std::size_t>(random.oneOf(static_cast<int>(revision->obstacles().size())));
+    const std::string id = revision->obstacles()[i].id;
+    const int what = random.oneOf(3);
+    auto next = what == 0 && revision->obstacles().size() > 1 ? revision->removed(id)
+                : what == 1 ? revision->moved(id, random.box(true))
+                            : revision->added({"new_" + std::to_string(step), random.box(true)});
+    revision = std::make_shared<const World>(std::move(*next));
+    changed = changed.at(revision);
+    const Checker fresh(revision, robot);
+    ASSERT_EQ(changed.areFree(motions, 0.02), fresh.areFree(motions, 0.02)) << "step " << step;
+    for (const Motion& motion : motions) {
+      const Closeness here = changed.closeness(motion);
+      const Closeness there = fresh.closeness(motion);
+      ASSERT_EQ(here.clearance_m, there.clearance_m);
+      ASSERT_EQ(here.headroom_m, there.headroom_m);
+      ASSERT_EQ(here.nearest.has_value(), there.nearest.has_value());
+      if (here.nearest) {
+        ASSERT_EQ(here.nearest->id, there.nearest->id);
+      }
+    }
+    for (std::size_t k = 0; k < 20; ++k)
+      ASSERT_EQ(changed.judge().isClear(motions[k], 0.0), fresh.judge().isClear(motions[k], 0.0));
+  }
+  is_over = true;
+}
+
 TEST_P(CheckerProperty, RoomToTurnAllRoundMeansEveryTurnIsFree) {
   int found = 0;
   for (int i = 0; i < kCases; ++i) {
@@ -218,6 +305,30 @@ TEST(Checker, ATurnIsStoppedByAPostThatOnlyTheCornersReach) {
   EXPECT_TRUE(dut.isFree(stay(0, {2.0, 2.0, 1.5707963267948966}), 0.0));
   EXPECT_FALSE(dut.isFree(turn(0, {2.0, 2.0, 0.0}, 1.5707963267948966, 1.5707963267948966), 0.0));
   EXPECT_TRUE(dut.isFree(turn(0, {2.0, 2.0, 0.0}, 0.2, 0.2), 0.0));
+}
+
+TEST(Checker, WhatIsNotFiniteIsNeitherFreeNorClear) {
+  const Checker dut = roomWith({});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Pose& pose : {Pose{nan, 1, 0}, Pose{1, nan, 0}, Pose{1, 1, nan}, Pose{INFINITY, 1, 0}, Pose{1, 1, INFINITY}}) {
+    EXPECT_FALSE(dut.isFree(stay(0, pose)));
+    EXPECT_FALSE(dut.isFree(turn(0, pose, 1.0, 1.0)));
+    EXPECT_FALSE(dut.isFree(translate(0, Sense::kForward, pose, 0.1)));
+    EXPECT_EQ(dut.closeness(stay(0, pose)).clearance_m, 0.0);
+    EXPECT_TRUE(dut.blockers(stay(0, pose), 0.0).empty());
+  }
+  EXPECT_FALSE(dut.isFree(turn(0, {3, 2, 0}, nan, 0.0)));
+  EXPECT_EQ(dut.areFree(std::vector{stay(0, {nan, 1, 0}), stay(0, {3, 2, 0})}, 0.0), (std::vector<char>{0, 1}));
+}
+
+TEST(Checker, AnotherFloorMakesOtherSlabs) {
+  const auto low = std::make_shared<const World>(
+      *World::make("room", {{0, 0, 0}, 6, 4}, 0.0, {{"table", {{3.0, 2.0, 0.9}, {1.0, 1.0, 0.5}, {}}}}));
+  const auto high = std::make_shared<const World>(
+      *World::make("room", {{0, 0, 0}, 6, 4}, 0.5, {{"table", {{3.0, 2.0, 0.9}, {1.0, 1.0, 0.5}, {}}}}));
+  const Checker dut(low, test::smallRobot());
+  EXPECT_TRUE(dut.isFree(stay(0, {3.0, 2.0, 0.0})));
+  EXPECT_FALSE(dut.at(high).isFree(stay(0, {3.0, 2.0, 0.0})));
 }
 
 TEST(Checker, AnEmptyWorldIsFree) {

@@ -49,6 +49,46 @@ TEST(World, HashTellsEveryChangeAndNoOther) {
   EXPECT_EQ(dut.hash().size(), 16U);
 }
 
+TEST(World, ChangesMakeTheNextRevisionAndLeaveThisOneAsItIs) {
+  const OrientedBox here{{1, 1, 1}, {1, 1, 1}, {}};
+  const OrientedBox there{{3, 1, 1}, {1, 1, 1}, {}};
+  const World first = *World::make("room", kRoom, 0.0, {{"a", here}});
+  const World second = *first.added({"b", here});
+  const World third = *second.moved("a", there);
+  const World fourth = *third.removed("b");
+  EXPECT_EQ(first.revision(), 1U);
+  EXPECT_EQ(fourth.revision(), 4U);
+  EXPECT_EQ(first.obstacles().size(), 1U);
+  EXPECT_EQ(second.obstacles().size(), 2U);
+  EXPECT_EQ(first.obstacles()[0].box, here);
+  EXPECT_EQ(fourth.obstacles()[0].box, there);
+  EXPECT_EQ(fourth.obstacles().size(), 1U);
+}
+
+TEST(World, HashTellsWhatIsThereAndNotHowItCame) {
+  const OrientedBox here{{1, 1, 1}, {1, 1, 1}, {}};
+  const OrientedBox there{{3, 1, 1}, {1, 1, 1}, {}};
+  const World dut = *World::make("room", kRoom, 0.0, {{"a", here}, {"b", there}});
+  const World other_order = *World::make("room", kRoom, 0.0, {{"b", there}, {"a", here}});
+  const World by_changes =
+      *World::make("room", kRoom, 0.0, {{"c", here}, {"a", there}})->removed("c")->moved("a", here)->added({"b", there});
+  EXPECT_EQ(dut.hash(), other_order.hash());
+  EXPECT_EQ(dut.hash(), by_changes.hash());
+  EXPECT_NE(dut.hash(), dut.moved("a", there)->hash());
+  EXPECT_NE(dut.hash(), dut.removed("a")->hash());
+}
+
+TEST(World, RefusesChangesThatCannotBeAndSaysWhy) {
+  const OrientedBox box{{1, 1, 1}, {1, 1, 1}, {}};
+  const OrientedBox flat{{1, 1, 1}, {1, 1, 0}, {}};
+  const World dut = *World::make("room", kRoom, 0.0, {{"a", box}});
+  EXPECT_NE(dut.added({"a", box}).error().message.find("\"a\" is taken"), std::string::npos);
+  EXPECT_NE(dut.added({"b", flat}).error().message.find("obstacle \"b\": size_m"), std::string::npos);
+  EXPECT_NE(dut.moved("a", flat).error().message.find("obstacle \"a\": size_m"), std::string::npos);
+  EXPECT_NE(dut.moved("b", box).error().message.find("no obstacle \"b\""), std::string::npos);
+  EXPECT_NE(dut.removed("b").error().message.find("no obstacle \"b\""), std::string::npos);
+}
+
 TEST(Bounds, ContainTheirEdgesAndTurnWithTheirCorner) {
   EXPECT_TRUE(kRoom.contains({0, 0}));
   EXPECT_TRUE(kRoom.contains({6, 4}));
