@@ -72,6 +72,12 @@ Expected<bench::Report> measure(const Arguments& arguments) {
 }
 
 ExitCode run(const Arguments& arguments) {
+  const bool has_geometry_options =
+      arguments.geometry.quick || !arguments.geometry.grid.empty() || arguments.geometry.resolution_m;
+  if (arguments.name != "geometry" && has_geometry_options) {
+    complain("--quick, --grid and --resolution-m are for `underway bench geometry`; leave them out");
+    return ExitCode::kInvalidInput;
+  }
   const auto report = measure(arguments);
   if (!report) {
     complain(report.error().message);

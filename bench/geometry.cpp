@@ -235,25 +235,23 @@ void addChange(Figures& figures) {
   figures.value("changing one box of 10,000: world and checker, p99", quantile(took_us, 0.99), "us", took_us.size());
 }
 
-Expected<void> addGrid(Figures& figures, const GeometryOptions& options) {
-  const auto maps = GridMaps::make(options.grid, options.resolution_m);
-  if (!maps) return tl::unexpected(maps.error());
-  const std::string name = maps->name();
+void addGrid(Figures& figures, const GridMaps& maps) {
+  const std::string& name = maps.name();
   std::shared_ptr<const World> world;
   const auto load = [&](const std::filesystem::path& file) {
-    const auto map = readMap(file, maps->options());
-    world = std::make_shared<const World>(map->world);
+    auto map = readMap(file, maps.options());
+    world = std::make_shared<const World>(std::move(map->world));
     keep(Checker(world, benchRobot()).isFree(stay(0, {})) ? 1 : 0);
   };
   // Together, since together they are compared.
-  const Paired times = inTurn([&] { load(maps->plain()); }, [&] { load(maps->fourfold()); }, 7);
-  figures.value("load and index " + name + " (" + std::to_string(maps->cells()) + " cells)", 1e3 * times.own_s,
-                "ms", maps->cells(), "< 150", times.own_s < 0.150);
-  figures.value("4x the area of " + name, times.ratio, "x the time", 4 * maps->cells(), "< 4.5",
+  const Paired times = inTurn([&] { load(maps.plain()); }, [&] { load(maps.fourfold()); }, 7);
+  figures.value("load and index " + name + " (" + std::to_string(maps.cells()) + " cells)", 1e3 * times.own_s,
+                "ms", maps.cells(), "< 150", times.own_s < 0.150);
+  figures.value("4x the area of " + name, times.ratio, "x the time", 4 * maps.cells(), "< 4.5",
                 times.ratio < 4.5);
-  load(maps->plain());
+  load(maps.plain());
   figures.value("obstacles of " + name + ", after merging", static_cast<double>(world->obstacles().size()), "",
-                maps->cells());
+                maps.cells());
   RandomGeometry random(kSeed);
   Upright body(*world);
   const Bounds& bounds = world->bounds();
@@ -262,18 +260,19 @@ Expected<void> addGrid(Figures& figures, const GeometryOptions& options) {
   figures.ratio("a pose in " + name + ", after merging, through the index", "FCL's tree", poses.size(), 10.0,
                 countOver(poses, [&](const Pose& pose) { return body.touches(pose); }),
                 countOver(poses, [&](const Pose& pose) { return body.fclTouches(pose); }));
-  return {};
 }
 
 }  // namespace
 
 Expected<Report> geometry(const GeometryOptions& options, const std::function<void(double)>& progress) {
+  const auto maps = GridMaps::make(options.grid, options.resolution_m);
+  if (!maps) return tl::unexpected(maps.error());
   Report report{"geometry", {}};
   Figures figures(report);
   addRoom(figures);
   addBatch(figures);
   addChange(figures);
-  if (const auto added = addGrid(figures, options); !added) return tl::unexpected(added.error());
+  addGrid(figures, *maps);
   progress(0.05);
   addExactness(figures, options.quick, [&](double share) { progress(0.05 + 0.95 * share); });
   progress(1.0);

@@ -16,7 +16,7 @@ struct GeometryOptions {
 };
 
 /// The collision engine: how exact it is against a slow reference, FCL's booleans beside it, and how fast
-/// against FCL in the same run. Errors: as of readGrid.
+/// against FCL in the same run. Errors: as of readGrid and readMap.
 [[nodiscard]] Expected<Report> geometry(const GeometryOptions& options,
                                         const std::function<void(double)>& progress);
 

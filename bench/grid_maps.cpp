@@ -74,7 +74,10 @@ Expected<GridMaps> GridMaps::make(const fs::path& file, std::optional<double> re
   options.resolution_m = resolution_m;
   auto grid = readGrid(file, options);
   if (!grid) return tl::unexpected(grid.error());
-  return GridMaps(file.stem().string(), std::move(*grid));
+  GridMaps maps(file.stem().string(), std::move(*grid));
+  if (const auto map = readMap(maps.fourfold(), maps.options()); !map)
+    return fail(map.error().code, file.string() + ", four times: " + map.error().message);
+  return maps;
 }
 
 GridMaps::GridMaps(std::string name, Grid grid)

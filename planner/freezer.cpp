@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 namespace underway {
@@ -31,7 +32,7 @@ std::optional<Roadmap> Freezer::freeze() {
   addLinks();
   addTwinSwitches();
   addTurns();
-  if (interrupt_.isDue()) return std::nullopt;
+  if (!dropBlocked()) return std::nullopt;
   pack();
   if (!roadmap_.base) indexPlaces();
   return std::move(roadmap_);
@@ -94,14 +95,30 @@ Roadmap::NodeId Freezer::nodeAt(PlaceId id, double yaw) const {
   throw std::logic_error("a connection's heading is missing in its place");
 }
 
-void Freezer::keepIfFree(NodeId from, Roadmap::Edge edge) {
-  edge.checked = check_ == Draft::Check::kNow;
-  if (edge.checked && (interrupt_.isDue() || !isFree(roadmap_, checker_, from, edge))) return;
-  outgoing_.push_back({from, edge});
+std::optional<std::size_t> Freezer::ask(NodeId from, const Roadmap::Edge& edge) {
+  if (!edge.checked) return std::nullopt;
+  asked_.push_back(motionOf(roadmap_, checker_.robot(), from, edge));
+  return asked_.size() - 1;
+}
+
+bool Freezer::dropBlocked() {
+  constexpr std::size_t kInACall = 1024;  // some tens of microseconds between looks at the deadline
+  std::vector<char> free;
+  free.reserve(asked_.size());
+  const std::span<const Motion> all(asked_);
+  for (std::size_t i = 0; i < all.size(); i += kInACall) {
+    if (interrupt_.isDueNow()) return false;
+    const auto some =
+        checker_.areFree(all.subspan(i, std::min(kInACall, all.size() - i)), checker_.robot().margin_m);
+    free.insert(free.end(), some.begin(), some.end());
+  }
+  std::erase_if(outgoing_, [&](const Outgoing& out) { return out.asked && free[*out.asked] == 0; });
+  return !interrupt_.isDueNow();
 }
 
 void Freezer::addSwitch(NodeId from, NodeId to) {
-  keepIfFree(from, {to, MotionKind::kSwitch, {}, false, true});
+  const Roadmap::Edge edge{to, MotionKind::kSwitch, {}, false, check_ == Draft::Check::kNow};
+  outgoing_.push_back({from, edge, ask(from, edge)});
 }
 
 void Freezer::addLinks() {
@@ -111,7 +128,7 @@ void Freezer::addLinks() {
     if (link.kind == MotionKind::kSwitch)
       addSwitch(from, to);
     else
-      outgoing_.push_back({from, {to, link.kind, link.sense, false, check_ == Draft::Check::kNow}});
+      outgoing_.push_back({from, {to, link.kind, link.sense, false, check_ == Draft::Check::kNow}, {}});
   }
 }
 
@@ -152,9 +169,9 @@ void Freezer::addTurnsOf(PlaceId id, const std::vector<NodeId>& ring) {
 void Freezer::addBothTurns(NodeId a, NodeId b, bool turns_freely) {
   const Roadmap::Edge left{b, MotionKind::kTurn, {}, false, check_ == Draft::Check::kNow};
   const Roadmap::Edge right{a, MotionKind::kTurn, {}, true, check_ == Draft::Check::kNow};
-  if (left.checked && !turns_freely && (interrupt_.isDue() || !isFree(roadmap_, checker_, a, left))) return;
-  outgoing_.push_back({a, left});
-  outgoing_.push_back({b, right});
+  const auto asked = turns_freely ? std::nullopt : ask(a, left);
+  outgoing_.push_back({a, left, asked});
+  outgoing_.push_back({b, right, asked});
 }
 
 void Freezer::pack() {

@@ -22,6 +22,7 @@ class Freezer {
   struct Outgoing {
     NodeId from;
     Roadmap::Edge edge;
+    std::optional<std::size_t> asked;  // the motion that must turn out free
   };
 
   void shareHeadingsOfTwins();
@@ -32,12 +33,15 @@ class Freezer {
   void addTurnsOf(PlaceId place, const std::vector<NodeId>& ring);
   void addBothTurns(NodeId a, NodeId b, bool turns_freely);
   void addSwitch(NodeId from, NodeId to);
+  /// Checks all motions that were asked about, in a few calls, and drops the edges of those that are not free.
+  /// False when interrupted.
+  [[nodiscard]] bool dropBlocked();
   void pack();
   void indexPlaces();
   /// For each own place, how many places are joined with it, taking edges both ways.
   [[nodiscard]] std::vector<std::uint32_t> sizesOfParts() const;
-  /// Keeps an edge unless it is to be checked now and is not free.
-  void keepIfFree(NodeId from, Roadmap::Edge edge);
+  /// Asks about the motion of an edge that is to be checked now.
+  [[nodiscard]] std::optional<std::size_t> ask(NodeId from, const Roadmap::Edge& edge);
 
   [[nodiscard]] NodeId nodeAt(PlaceId place, double yaw) const;
   [[nodiscard]] std::vector<NodeId> ringOf(PlaceId place) const;
@@ -50,6 +54,7 @@ class Freezer {
   std::vector<std::vector<double>> own_headings_;         // by own place
   std::map<PlaceId, std::vector<NodeId>> added_to_base_;  // new nodes at the base's places
   std::vector<Outgoing> outgoing_;
+  std::vector<Motion> asked_;
 };
 
 }  // namespace underway

@@ -9,6 +9,7 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Console.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -184,12 +185,13 @@ std::optional<Pose> PoseSampler::sample(Kind kind) {
 double PoseSampler::freeShare(unsigned draws) {
   ob::ScopedState<> state(space_->info);
   const auto sampler = space_->info->allocStateSampler();
-  unsigned free = 0;
+  std::vector<Motion> poses;
   for (unsigned i = 0; i < draws; ++i) {
     sampler->sampleUniform(state.get());
-    if (space_->info->isValid(state.get())) ++free;
+    poses.push_back(stay(space_->mode, poseOf(state.get())));
   }
-  return static_cast<double>(free) / draws;
+  const std::vector<char> free = space_->checker.areFree(poses, space_->checker.robot().margin_m);
+  return static_cast<double>(std::count(free.begin(), free.end(), 1)) / draws;
 }
 
 }  // namespace underway

@@ -184,6 +184,9 @@ INSTANTIATE_TEST_SUITE_P(
             "PictureOfAskWithoutMap", {"ask", "--start", "0,0,0", "--goal", "1,1", "--svg", "x"}, "--map"},
         FlagCase{
             "DomainOutOfRange", {"ask", "--start", "0,0,0", "--goal", "1,1", "--domain", "999"}, "--domain"},
+        FlagCase{"UnknownBenchmark", {"bench", "flying"}, "flying"},
+        FlagCase{"BenchmarkOfAMissingGrid", {"bench", "geometry", "--grid", "/nowhere.pgm"}, "/nowhere.pgm"},
+        FlagCase{"OptionOfAnotherBenchmark", {"bench", "scenarios", "--quick"}, "--quick"},
         FlagCase{"CheckOfNothing", {"check", "/nowhere.json", "--map", "MAP"}, "/nowhere.json"},
         FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"}),
     CaseName());
