@@ -26,7 +26,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
 };
 
 /// The only folder whose sources and headers may include a third party's headers.
-const std::map<std::string, std::string> kOwner{{"fcl", "geometry"}, {"ompl", "planner"}, {"dds", "server"}};
+const std::map<std::string, std::string> kOwner{
+    {"fcl", "geometry"}, {"hwy", "geometry"}, {"ompl", "planner"}, {"dds", "server"}};
 
 struct Include {
   std::string file;  ///< from the project's root

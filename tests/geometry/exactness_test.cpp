@@ -47,7 +47,7 @@ class InstructionSets : public testing::Test {
 };
 
 TEST_F(InstructionSets, AllGiveTheSameAnswers) {
-  ASSERT_GT(instructionSets().size(), 1U) << "nothing to compare on this machine";
+  if (instructionSets().size() < 2) GTEST_SKIP() << "NOT TESTED: this machine has only " << instructionSets()[0];
   std::optional<std::uint64_t> first;
   for (const std::string& name : instructionSets()) {
     SCOPED_TRACE(name);
