@@ -118,8 +118,12 @@ void addExactness(Figures& figures, bool quick, const std::function<void(double)
     figures.value(what + ": false ones beyond 1 um from contact", static_cast<double>(found.false_alarms), "",
                   found.cases, "0", found.false_alarms == 0);
     figures.value(what + ": collisions", static_cast<double>(found.collisions), "", found.cases);
-    figures.value(what + ": within 1 um of contact", static_cast<double>(found.near_contact), "", found.cases);
-    figures.value(what + ": beyond 1 um, references disagree", static_cast<double>(found.doubtful), "", found.cases);
+    figures.value(what + ": within 1 um of contact", static_cast<double>(found.near_contact), "",
+                  found.cases);
+    figures.value(what + ": told differently one by one, in a batch, by visiting",
+                  static_cast<double>(found.disagreements), "", found.cases, "0", found.disagreements == 0);
+    figures.value(what + ": beyond 1 um, references disagree", static_cast<double>(found.doubtful), "",
+                  found.cases);
     figures.value(what + fcl_missed, static_cast<double>(found.fcl_missed), "", found.cases);
     figures.value(what + ": FCL wrong, false", static_cast<double>(found.fcl_false_alarms), "", found.cases);
   };
@@ -129,8 +133,8 @@ void addExactness(Figures& figures, bool quick, const std::function<void(double)
   const ClearanceExactness clear = compareClearances(kSeed, clearances, part(0.7, 0.25));
   figures.value("clearance: told above the truth, or 0 and free, or not 0 and not free",
                 static_cast<double>(clear.above_truth), "", clear.cases, "0", clear.above_truth == 0);
-  figures.value("clearance of poses and boxes: largest shortfall", clear.shortfall_of_poses_m, "m", clear.cases,
-                "<= 1e-6", clear.shortfall_of_poses_m <= 1e-6);
+  figures.value("clearance of poses and boxes: largest shortfall", clear.shortfall_of_poses_m, "m",
+                clear.cases, "<= 1e-6", clear.shortfall_of_poses_m <= 1e-6);
   figures.value("clearance of turns: largest shortfall (reference to 2e-4)", clear.shortfall_of_turns_m, "m",
                 clear.cases, "<= 1e-3", clear.shortfall_of_turns_m <= 1e-3);
 }
@@ -223,16 +227,17 @@ void addChange(Figures& figures) {
     std::shared_ptr<const World> next;
     std::optional<Checker> changed;
     took_us.push_back(1e6 * secondsOf([&] {
-      next = std::make_shared<const World>(*world->moved(moved.id, box));
-      changed.emplace(checker.at(next));
-    }));
+                        next = std::make_shared<const World>(*world->moved(moved.id, box));
+                        changed.emplace(checker.at(next));
+                      }));
     world = next;
     checker = std::move(*changed);
   }
   const double median = quantile(took_us, 0.5);
   figures.value("changing one box of 10,000: world and checker, p50", median, "us", took_us.size(), "< 50",
                 median < 50.0);
-  figures.value("changing one box of 10,000: world and checker, p99", quantile(took_us, 0.99), "us", took_us.size());
+  figures.value("changing one box of 10,000: world and checker, p99", quantile(took_us, 0.99), "us",
+                took_us.size());
 }
 
 void addGrid(Figures& figures, const GridMaps& maps) {
@@ -250,8 +255,8 @@ void addGrid(Figures& figures, const GridMaps& maps) {
   figures.value("4x the area of " + name, times.ratio, "x the time", 4 * maps.cells(), "< 4.5",
                 times.ratio < 4.5);
   load(maps.plain());
-  figures.value("obstacles of " + name + ", after merging", static_cast<double>(world->obstacles().size()), "",
-                maps.cells());
+  figures.value("obstacles of " + name + ", after merging", static_cast<double>(world->obstacles().size()),
+                "", maps.cells());
   RandomGeometry random(kSeed);
   Upright body(*world);
   const Bounds& bounds = world->bounds();

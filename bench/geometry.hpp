@@ -10,8 +10,8 @@
 namespace underway::bench {
 
 struct GeometryOptions {
-  bool quick = false;                  ///< a hundredth of the random cases
-  std::filesystem::path grid;          ///< a grid map to load and ask poses of; empty: an office that is drawn
+  bool quick = false;          ///< a hundredth of the random cases
+  std::filesystem::path grid;  ///< a grid map to load and ask poses of; empty: an office that is drawn
   std::optional<double> resolution_m;  ///< of the grid, if it is an image without its YAML
 };
 

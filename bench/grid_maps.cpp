@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void fill(Grid& grid, std::uint32_t left, std::uint32_t low, std::uint32_t width, std::uint32_t height, Cell cell) {
+void fill(Grid& grid, std::uint32_t left, std::uint32_t low, std::uint32_t width, std::uint32_t height,
+          Cell cell) {
   for (std::uint32_t row = low; row < std::min(low + height, grid.height); ++row)
     for (std::uint32_t column = left; column < std::min(left + width, grid.width); ++column)
       grid.cells[std::size_t{row} * grid.width + column] = cell;
@@ -33,8 +34,8 @@ Grid drawnOffice() {
       fill(grid, left + 20 + static_cast<std::uint32_t>(random.oneOf(30)), low, 18, 2, Cell::kFree);
       for (int i = 0; i < 120; ++i)
         fill(grid, left + static_cast<std::uint32_t>(random.oneOf(kRoom)),
-             low + static_cast<std::uint32_t>(random.oneOf(6)), 1 + static_cast<std::uint32_t>(random.oneOf(3)), 1,
-             Cell::kOccupied);
+             low + static_cast<std::uint32_t>(random.oneOf(6)),
+             1 + static_cast<std::uint32_t>(random.oneOf(3)), 1, Cell::kOccupied);
       fill(grid, left + 30, low + 40, 28, 16, Cell::kOccupied);
     }
   }
@@ -57,7 +58,8 @@ void writePgm(const Grid& grid, std::uint32_t tiles, const fs::path& file) {
 
 /// A new folder for files that nobody wants to keep.
 std::shared_ptr<const fs::path> scratchFolder() {
-  const auto folder = fs::temp_directory_path() / ("underway_bench_" + std::to_string(std::random_device{}()));
+  const auto folder =
+      fs::temp_directory_path() / ("underway_bench_" + std::to_string(std::random_device{}()));
   fs::create_directories(folder);
   return {new fs::path(folder), [](const fs::path* path) {
             std::error_code ignored;

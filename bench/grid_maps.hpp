@@ -12,7 +12,8 @@ namespace underway::bench {
 /// A large grid map, and one of four times its area, as image files that go when this goes.
 class GridMaps {
  public:
-  /// From a map file, or of an office that is drawn here if none is given. Errors: as of readGrid and readMap.
+  /// From a map file, or of an office that is drawn here if none is given. Errors: as of readGrid and
+  /// readMap.
   [[nodiscard]] static Expected<GridMaps> make(const std::filesystem::path& file,
                                                std::optional<double> resolution_m);
 

@@ -46,11 +46,29 @@ std::vector<Obstacle> RandomGeometry::obstacles(Point about, std::size_t count) 
   return obstacles;
 }
 
+std::vector<Obstacle> RandomGeometry::farObstacles(Point about) {
+  static constexpr std::array kFurthest_m{100.0, 1e3, 8e3};
+  constexpr double kNearest_m = 50.0;
+  std::vector<Obstacle> obstacles;
+  if (oneOf(2) == 0) return obstacles;
+  const double furthest = kFurthest_m[oneOf(kFurthest_m.size())];
+  for (std::size_t i = 0; i < 150; ++i) {
+    const double way = between(kNearest_m, furthest);
+    const double direction = angle();
+    const Point at{about.x + way * std::cos(direction), about.y + way * std::sin(direction)};
+    obstacles.push_back({"far_" + std::to_string(i),
+                         {{at.x, at.y, 0.2}, {between(0.1, 2.0), 1.0, 1.0}, {0.0, 0.0, angle()}}});
+  }
+  return obstacles;
+}
+
 Prism RandomGeometry::body(Point about, Range slab) {
   static constexpr std::array kSizes{0.3, 0.3, 0.3, 0.005, 5.0};
   const double size = kSizes[oneOf(kSizes.size())];
-  return {pose(about), {-size * between(0.2, 1.0), size * between(0.2, 1.0)},
-          {-size * between(0.2, 1.0), size * between(0.2, 1.0)}, slab};
+  return {pose(about),
+          {-size * between(0.2, 1.0), size * between(0.2, 1.0)},
+          {-size * between(0.2, 1.0), size * between(0.2, 1.0)},
+          slab};
 }
 
 Pose RandomGeometry::pose(Point about) {
@@ -79,7 +97,8 @@ Point RandomGeometry::somewhere() {
 }
 
 Point RandomGeometry::toContact(const std::vector<Point>& footprint, const std::vector<Point>& shadow) {
-  static constexpr std::array kOff_m{0.0, 1e-12, 1e-10, 5e-10, 2e-9, 1e-8, 1e-7, 9e-7, 1.1e-6, 3e-6, 1e-5, 1e-4};
+  static constexpr std::array kOff_m{0.0,  1e-12, 1e-10,  5e-10, 2e-9, 1e-8,
+                                     1e-7, 9e-7,  1.1e-6, 3e-6,  1e-5, 1e-4};
   double best = -std::numeric_limits<double>::infinity();
   Point best_axis;
   const auto consider = [&](const std::vector<Point>& of, const std::vector<Point>& other, double sign) {

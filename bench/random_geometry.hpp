@@ -24,6 +24,8 @@ class RandomGeometry {
   /// Plain, tilted, thin, tiny or huge, about a place.
   [[nodiscard]] OrientedBox box(Point about);
   [[nodiscard]] std::vector<Obstacle> obstacles(Point about, std::size_t count);
+  /// None, or some hundred, further from a place than bodies there reach, up to kilometres.
+  [[nodiscard]] std::vector<Obstacle> farObstacles(Point about);
   /// About as large as a robot, or much smaller or larger, seen in a slab.
   [[nodiscard]] Prism body(Point about, Range slab);
   /// In a square about a place.

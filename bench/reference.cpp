@@ -54,9 +54,8 @@ Solid solidOf(const Prism& body) {
 std::vector<Point> distinct(const std::vector<Point>& points) {
   std::vector<Point> kept;
   for (const Point p : points) {
-    const bool is_known = std::any_of(kept.begin(), kept.end(), [p](Point q) {
-      return std::hypot(p.x - q.x, p.y - q.y) < 1e-10;
-    });
+    const bool is_known = std::any_of(kept.begin(), kept.end(),
+                                      [p](Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-10; });
     if (!is_known) kept.push_back(p);
   }
   return kept;
@@ -116,7 +115,8 @@ double separation(const Prism& body, const OrientedBox& box) {
   const auto consider = [&](const Vec3& axis) {
     const double length = std::sqrt(dot(axis, axis));
     if (length < 1e-6) return;  // of parallel edges: their faces' axes tell
-    best = std::max(best, (std::abs(dot(between, axis)) - a.radiusAlong(axis) - b.radiusAlong(axis)) / length);
+    best =
+        std::max(best, (std::abs(dot(between, axis)) - a.radiusAlong(axis) - b.radiusAlong(axis)) / length);
   };
   for (const Vec3& axis : a.axes) consider(axis);
   for (const Vec3& axis : b.axes) consider(axis);

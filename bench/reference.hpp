@@ -7,8 +7,8 @@
 #include "geometry/sweep.hpp"
 #include "geometry/world.hpp"
 
-/// The geometry over again, slow and obvious, to hold the fast one against: doubles, no index, separating axes
-/// and distances of corners from edges. Shares with it only what says where a body is (sweep.hpp).
+/// The geometry over again, slow and obvious, to hold the fast one against: doubles, no index, separating
+/// axes and distances of corners from edges. Shares with it only what says where a body is (sweep.hpp).
 namespace underway::bench::reference {
 
 /// How far apart an upright box and an oriented box are in space, along the best of their 15 separating axes

@@ -11,9 +11,9 @@ struct Row {
   std::string what;  ///< as the table names it
   double value = 0.0;
   std::string unit;
-  std::string goal;         ///< what was asked for: "< 100"; empty if nothing was
-  std::optional<bool> met;  ///< whether the value, or the ratio, keeps the goal
-  unsigned long seed = 0;   ///< the first one
+  std::string goal;           ///< what was asked for: "< 100"; empty if nothing was
+  std::optional<bool> met;    ///< whether the value, or the ratio, keeps the goal
+  unsigned long seed = 0;     ///< the first one
   unsigned long samples = 0;  ///< measured
   struct Peer {
     std::string name;

@@ -63,8 +63,7 @@ class Fence {
     const double dy = body.frame.y - bounds_.corner.y;
     const double x = cos_ * dx + sin_ * dy;
     const double y = cos_ * dy - sin_ * dx;
-    const double reach =
-        std::max(-body.x.min, body.x.max) + std::max(-body.y.min, body.y.max);
+    const double reach = std::max(-body.x.min, body.x.max) + std::max(-body.y.min, body.y.max);
     return x >= reach && y >= reach && x <= bounds_.width_m - reach && y <= bounds_.height_m - reach;
   }
 
@@ -128,7 +127,9 @@ struct Checker::Engine {
     return views[of_switch[static_cast<std::size_t>(change - robot->switches.data())]];
   }
 
-  [[nodiscard]] Prism swept(const Motion& motion) const { return sweptBox(*robot, motion, view(motion).slab); }
+  [[nodiscard]] Prism swept(const Motion& motion) const {
+    return sweptBox(*robot, motion, view(motion).slab);
+  }
 
   [[nodiscard]] bool isInBounds(const Motion& motion, const Prism& body) const {
     return isFinite(motion) &&
@@ -166,7 +167,8 @@ bool Checker::isFree(const Motion& motion, double margin_m) const {
   const Prism body = sweptBox(robot(), motion, view.slab);
   if (!engine_->isInBounds(motion, body)) return false;
   const Prism grown = body.grown(margin_m);
-  return !(isTurning(motion) ? view.seen.touches(Turning(grown, motion.angle_rad)) : view.seen.touches(grown));
+  return !(isTurning(motion) ? view.seen.touches(Turning(grown, motion.angle_rad))
+                             : view.seen.touches(grown));
 }
 
 std::vector<char> Checker::areFree(std::span<const Motion> motions, double margin_m) const {
@@ -215,15 +217,15 @@ Closeness Checker::closeness(const Motion& motion, double cap_m) const {
   const View& view = engine_->view(motion);
   const Prism body = sweptBox(robot(), motion, view.slab);
   const bool is_turning = isTurning(motion);
-  const auto nearest = is_turning ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m)
-                                  : view.seen.nearest(body, cap_m);
+  const auto nearest =
+      is_turning ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m) : view.seen.nearest(body, cap_m);
   Closeness result{cap_m, std::nullopt, std::nullopt};
   if (nearest) {
     result.clearance_m = nearest->gap.distance_m;
     result.nearest = Nearest{nearest->piece->obstacle->id, nearest->gap.at};
   }
-  result.headroom_m = is_turning ? headroomBelow(view.hanging, body, motion.angle_rad)
-                                 : headroomBelow(view.hanging, body);
+  result.headroom_m =
+      is_turning ? headroomBelow(view.hanging, body, motion.angle_rad) : headroomBelow(view.hanging, body);
   return result;
 }
 

@@ -22,7 +22,8 @@ struct Nearest {
 
 /// How close a motion comes to the obstacles its mode sees.
 struct Closeness {
-  double clearance_m = 0.0;  ///< planar; never above the truth and at most 1 um below; capped; 0 when it touches
+  double clearance_m =
+      0.0;  ///< planar; never above the truth and at most 1 um below; capped; 0 when it touches
   std::optional<Nearest> nearest;    ///< empty when nothing is closer than the cap
   std::optional<double> headroom_m;  ///< smallest vertical gap above the body; empty when nothing hangs there
 };

@@ -9,13 +9,21 @@ namespace {
 
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
-double squaredDistance(Point a, Point b) {
-  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+double squaredDistance(Point a, Point b) { return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y); }
+
+/// Whether all of b lies beyond one end of a line, by more than a contact.
+bool isBeyondAnEnd(Point a, Point b, ConvexView set) {
+  const double length = std::sqrt(squaredDistance(a, b));
+  const double beyond = kContact_m * length;
+  const auto along = [&](Point p) { return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y); };
+  return std::all_of(set.begin(), set.end(), [&](Point p) { return along(p) < -beyond; }) ||
+         std::all_of(set.begin(), set.end(), [&](Point p) { return along(p) > length * length + beyond; });
 }
 
-/// Whether all of b lies outside one of a's edges, by more than a contact.
+/// Whether all of b lies outside one of a's edges, by more than a contact. Of a line the ends count as edges.
 bool hasSeparatingEdge(ConvexView a, ConvexView b) {
   if (a.size() < 2) return false;
+  if (a.size() == 2 && isBeyondAnEnd(a[0], a[1], b)) return true;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point from = a[i];
     const Point to = a[(i + 1) % a.size()];

@@ -5,7 +5,6 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/narrowphase/collision.h>
 
-#include <atomic>
 #include <mutex>
 #include <unordered_set>
 #include <vector>
@@ -13,7 +12,7 @@
 namespace underway {
 namespace {
 
-constexpr double kFlush_m = 1e-9;
+constexpr double kHair_m = 1e-9;
 constexpr std::size_t kMostChanges = 64;  // that are carried beside a tree
 
 using Object = fcl::CollisionObjectd;
@@ -48,7 +47,7 @@ struct FclBody::Object {
   Object(Range x, Range y, Range z)
       : middle{0.5 * (x.min + x.max), 0.5 * (y.min + y.max)},
         middle_z(0.5 * (z.min + z.max)),
-        fcl(std::make_shared<fcl::Boxd>(x.length(), y.length(), z.length() + 2.0 * kFlush_m)) {}
+        fcl(std::make_shared<fcl::Boxd>(x.length(), y.length(), z.length() + 2.0 * kHair_m)) {}
   Point middle;  // in the body frame
   double middle_z;
   mutable fcl::CollisionObjectd fcl;  // FCL takes pointers to non-const, and changes nothing
@@ -84,6 +83,8 @@ class FclTree {
     manager_.registerObjects(all);
     manager_.setup();
   }
+  FclTree(const FclTree&) = delete;  // the manager points into it
+  FclTree& operator=(const FclTree&) = delete;
 
   /// Whether an object touches an obstacle that is not among those to pass over.
   bool touches(Object& query, const std::unordered_set<const Obstacle*>& passed_over) const {
@@ -117,56 +118,63 @@ class FclTree {
   fcl::DynamicAABBTreeCollisionManagerd manager_;
 };
 
+/// A main tree, and what it was made of.
+struct Grown {
+  std::shared_ptr<const Obstacles> obstacles;
+  std::unique_ptr<const FclTree> tree;
+};
+
+std::vector<Obstacles::Pointer> allOf(const Obstacles& obstacles) {
+  std::vector<Obstacles::Pointer> all;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) all.push_back(obstacles.pointer(i));
+  return all;
+}
+
 }  // namespace
 
 /// The trees of one revision: a main tree, which may be an earlier revision's, and what came since.
 class FclScene::Forest {
  public:
-  /// `earlier` has made a main tree of its own; null if no earlier revision has.
-  Forest(std::shared_ptr<const Obstacles> obstacles, std::shared_ptr<const Forest> earlier)
-      : obstacles_(std::move(obstacles)), earlier_(std::move(earlier)) {}
+  /// `earlier` is the main tree that was made last; null if none was.
+  Forest(std::shared_ptr<const Obstacles> obstacles, std::shared_ptr<const Grown> earlier)
+      : obstacles_(std::move(obstacles)), main_(std::move(earlier)) {}
 
-  /// The revision whose main tree a later one may use: this one, if it has made its own, or an earlier one.
-  static std::shared_ptr<const Forest> source(const std::shared_ptr<const Forest>& forest) {
-    return forest->has_own_ ? forest : forest->earlier_;
+  /// The main tree for a later revision to use.
+  [[nodiscard]] std::shared_ptr<const Grown> main() const {
+    const std::lock_guard lock(making_);
+    return main_;
   }
-
-  [[nodiscard]] const Obstacles& obstacles() const { return *obstacles_; }
 
   bool touches(Object& query) const {
     std::call_once(once_, [this] { make(); });
     static const std::unordered_set<const Obstacle*> kNone;
-    return main_->touches(query, gone_) || (come_ && come_->touches(query, kNone));
+    return main_->tree->touches(query, gone_) || (come_ && come_->touches(query, kNone));
   }
 
  private:
   void make() const {
+    const std::lock_guard lock(making_);
+    const auto changes =
+        main_ ? Obstacles::changes(*main_->obstacles, *obstacles_) : std::vector<Obstacles::Change>();
+    if (!main_ || changes.size() > kMostChanges) {
+      main_ = std::make_shared<const Grown>(
+          Grown{obstacles_, std::make_unique<const FclTree>(allOf(*obstacles_))});
+      return;
+    }
     std::vector<Obstacles::Pointer> come;
-    if (earlier_) {
-      const auto changes = Obstacles::changes(earlier_->obstacles(), *obstacles_);
-      if (changes.size() <= kMostChanges) {
-        for (const auto& [before, after] : changes) {
-          if (before) gone_.insert(before.get());
-          if (after) come.push_back(after);
-        }
-        main_ = earlier_->main_;
-        if (!come.empty()) come_ = std::make_unique<const FclTree>(std::move(come));
-      }
+    for (const auto& [before, after] : changes) {
+      if (before) gone_.insert(before.get());
+      if (after) come.push_back(after);
     }
-    if (!main_) {
-      for (std::size_t i = 0; i < obstacles_->size(); ++i) come.push_back(obstacles_->pointer(i));
-      main_ = std::make_shared<const FclTree>(std::move(come));
-      has_own_ = true;
-    }
+    if (!come.empty()) come_ = std::make_unique<const FclTree>(std::move(come));
   }
 
   std::shared_ptr<const Obstacles> obstacles_;
-  std::shared_ptr<const Forest> earlier_;
   mutable std::once_flag once_;  // of making, by whoever asks first
-  mutable std::shared_ptr<const FclTree> main_;
+  mutable std::mutex making_;    // guards main_ until it is made
+  mutable std::shared_ptr<const Grown> main_;
   mutable std::unordered_set<const Obstacle*> gone_;  // of the main tree's
   mutable std::unique_ptr<const FclTree> come_;
-  mutable std::atomic<bool> has_own_ = false;  // and it is made
 };
 
 FclScene::FclScene(std::shared_ptr<const Obstacles> obstacles)
@@ -174,7 +182,7 @@ FclScene::FclScene(std::shared_ptr<const Obstacles> obstacles)
 FclScene::FclScene(std::shared_ptr<const Forest> forest) : forest_(std::move(forest)) {}
 
 FclScene FclScene::changed(std::shared_ptr<const Obstacles> after) const {
-  return FclScene(std::make_shared<const Forest>(std::move(after), Forest::source(forest_)));
+  return FclScene(std::make_shared<const Forest>(std::move(after), forest_->main()));
 }
 
 bool FclScene::touches(const FclBody& body) const { return forest_->touches(body.object_->fcl); }

@@ -23,8 +23,8 @@ class FclBody {
 };
 
 /// The world's source shapes in FCL's dynamic tree, made when it is first asked. Asked for booleans only: its
-/// distances can overestimate. After a change the tree stays as it was: what is gone is passed over, what came
-/// is in a second tree, until that is so much that a new tree is due.
+/// distances can overestimate. After a change the tree stays as it was: what is gone is passed over, what
+/// came is in a second tree, until that is so much that a new tree is due.
 ///
 /// Thread safety: const members may be called from any number of threads.
 class FclScene {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/flatten.hpp"
 
@@ -73,6 +74,8 @@ std::optional<double> headroomBelow(const Layer& hanging, const Prism& body) {
 
 std::optional<double> headroomBelow(const Layer& hanging, const Prism& body, double angle_rad) {
   const Turning turning(body, angle_rad);
+  constexpr double kRevolution = 2.0 * std::numbers::pi;  // all headings, from there on
+  const double angle = std::clamp(angle_rad, -kRevolution, kRevolution);
   Lowest lowest;
   hanging.visitTouched(turning, [&](const Piece& piece) {
     const OrientedBox& box = piece.obstacle->box;
@@ -80,7 +83,7 @@ std::optional<double> headroomBelow(const Layer& hanging, const Prism& body, dou
       lowest.include(undersideOf(box));
     } else {
       TurningLowest search(box, body, turning.outerRadius());
-      search.search(0.5 * angle_rad, 0.5 * std::abs(angle_rad));
+      search.search(0.5 * angle, 0.5 * std::abs(angle));
       lowest.include(search.height());
     }
     return false;

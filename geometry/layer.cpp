@@ -12,17 +12,17 @@ namespace underway {
 namespace {
 
 constexpr double kAnyHeight_m = 1e6;
+constexpr std::size_t kFewChanges = 64;  // that make no tree worse
 
-/// The exact test of a shape, for the pieces that need it.
+// The exact tests of shapes, for the pieces that need them.
+
 class BodyCloser : public Closer {
  public:
-  explicit BodyCloser(const Prism& body) : footprint_(body.footprint()) {}
-  bool touches(const Piece& piece) override {
-    return withCorners(piece, [&](ConvexView corners) { return areTouching(footprint_, corners); });
-  }
+  explicit BodyCloser(const Prism& body) : body_(body) {}
+  bool touches(const Piece& piece) override { return areTouching(body_, piece); }
 
  private:
-  std::array<Point, 4> footprint_;
+  const Prism& body_;
 };
 
 class TurningCloser : public Closer {
@@ -71,8 +71,11 @@ Range widened(Range slab) { return slab.grown(kFlush_m); }
 
 /// Of an upright box.
 Rectangle footprintOf(const OrientedBox& box) {
-  return {{box.center_m.x, box.center_m.y}, std::cos(box.rpy_rad.z), std::sin(box.rpy_rad.z),
-          0.5 * box.size_m.x, 0.5 * box.size_m.y};
+  return {{box.center_m.x, box.center_m.y},
+          std::cos(box.rpy_rad.z),
+          std::sin(box.rpy_rad.z),
+          0.5 * box.size_m.x,
+          0.5 * box.size_m.y};
 }
 
 /// An axis-aligned region of the map.
@@ -143,7 +146,8 @@ std::optional<Layer::Neighbour> nearestIn(const Tree& tree, const Region& region
                                           double cap_m) {
   if (!tree.root) return std::nullopt;
   const auto [x, y] = tree.origin;
-  NearestSearch search({region.min_x - x, region.min_y - y, region.max_x - x, region.max_y - y}, gap_to, cap_m);
+  NearestSearch search({region.min_x - x, region.min_y - y, region.max_x - x, region.max_y - y}, gap_to,
+                       cap_m);
   search.visit(*tree.root);
   return search.result();
 }
@@ -198,6 +202,8 @@ Layer Layer::changed(std::span<const Obstacles::Change> changes) const {
       if (auto piece = pieceFor(after))
         result.tree_ = with(result.tree_, std::make_shared<const Piece>(std::move(*piece)));
   }
+  // Now and then the tree is loaded anew: the changes until then have paid for it.
+  if (result.tree_.changes > result.tree_.pieces / 2 + kFewChanges) result.tree_ = renewed(result.tree_);
   return result;
 }
 

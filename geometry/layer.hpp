@@ -30,8 +30,8 @@ class Layer {
   /// What may hang above a height: all that reaches above it, but for upright boxes that also reach below it,
   /// which are seen already.
   [[nodiscard]] static Layer hangingAbove(double height_m, const Obstacles& obstacles);
-  /// The layer that the same question makes of the obstacles after some changes; for few of many, else make it
-  /// anew.
+  /// The layer that the same question makes of the obstacles after some changes; for few of many, else make
+  /// it anew.
   [[nodiscard]] Layer changed(std::span<const Obstacles::Change> changes) const;
 
   /// Visited pieces come in no particular order. Return true to stop.
@@ -45,7 +45,7 @@ class Layer {
   void touchEach(std::span<const Prism> bodies, std::span<char> touched) const;
 
   struct Neighbour {
-    const Piece* piece;  ///< lives as long as the layer, or a layer made from it by changes
+    const Piece* piece;  ///< lives as long as the layer
     Gap gap;             ///< from the shape to the piece
   };
   /// The nearest piece that is nearer than a cap; of equally near ones that with the smallest id.
@@ -58,7 +58,8 @@ class Layer {
  private:
   enum class Question { kSeen, kHanging };
   Layer(Question question, Range slab, const Obstacles& obstacles);
-  Layer(Question question, Range slab, Tree tree) : question_(question), slab_(slab), tree_(std::move(tree)) {}
+  Layer(Question question, Range slab, Tree tree)
+      : question_(question), slab_(slab), tree_(std::move(tree)) {}
   [[nodiscard]] std::optional<Piece> pieceFor(const Obstacles::Pointer& obstacle) const;
 
   Question question_;

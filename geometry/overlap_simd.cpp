@@ -38,7 +38,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kFan>;  // as many lanes as there are, up to a node's entries
 using Vector = hn::Vec<Floats>;
 
-constexpr float kLeast_m = 2e-9F;  // twice a contact
+constexpr float kLeast_m = 2e-9F;                                    // twice a contact
 constexpr std::size_t kMostBranches = kMostLevels * (kFan - 1) + 1;  // that wait at a time
 
 struct Direction {
@@ -46,17 +46,25 @@ struct Direction {
   float sin;
 };
 
-/// To single precision, and several times as fast as the library's: polynomials for half the angle, within half
-/// a turn (interpolated at Chebyshev nodes; off by less than 5e-8), and the formulas for the double angle. No
-/// branch that nobody could predict.
+/// Far from 0, where one seldom is. Out of line: the library's results go through memory.
+HWY_NOINLINE Direction farDirectionOf(double yaw) {
+  return {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw))};
+}
+
+/// To single precision, and several times as fast as the library's: polynomials for half the angle, within
+/// half a turn (interpolated at Chebyshev nodes; off by less than 5e-8), and the formulas for the double
+/// angle. No branch that nobody could predict.
 HWY_INLINE Direction directionOf(double yaw) {
-  if (!(std::abs(yaw) < 1e3)) return {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw))};
+  if (HWY_UNLIKELY(!(std::abs(yaw) < 1e3))) return farDirectionOf(yaw);
   constexpr double kRoundsToInteger = 0x1.8p52;  // what is added to it loses its fraction
   const double turns = (yaw * (0.5 / std::numbers::pi) + kRoundsToInteger) - kRoundsToInteger;
   const auto half = static_cast<float>(0.5 * yaw - turns * std::numbers::pi);
   const float z = half * half;
-  const float s = half * (0.9999999957F + z * (-0.1666665795F + z * (0.008333050171F + z * (-1.980901741e-4F + z * 2.605107635e-6F))));
-  const float c = 0.999999953F + z * (-0.4999990478F + z * (0.04166357316F + z * (-1.385362954e-3F + z * 2.315241666e-5F)));
+  const float s =
+      half * (0.9999999957F +
+              z * (-0.1666665795F + z * (0.008333050171F + z * (-1.980901741e-4F + z * 2.605107635e-6F))));
+  const float c = 0.999999953F +
+                  z * (-0.4999990478F + z * (0.04166357316F + z * (-1.385362954e-3F + z * 2.315241666e-5F)));
   return {1.0F - 2.0F * s * s, 2.0F * s * c};
 }
 
@@ -92,9 +100,10 @@ struct Verdict {
   std::uint32_t overlapping = 0;
 };
 
-constexpr float kMoreThanDiagonal = 0.415F;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
+constexpr float kMoreThanDiagonal =
+    0.415F;  // sqrt(2) - 1, rounded up: hypot(a, b) <= a + that * b, if b <= a
 constexpr float kSlack = 8.0F * static_cast<float>(kOutwards);  // of a box, relative to the body
-constexpr float kCompact = 3.0F;             // times the shorter half: size of a body that is as long as wide
+constexpr float kCompact = 3.0F;  // times the shorter half: size of a body that is as long as wide
 
 /// A body's footprint, as a rectangle.
 class RectangleTest {
@@ -150,8 +159,10 @@ class RectangleTest {
       const Vector own_aside = hn::Abs(hn::MulSub(own_c, dy, hn::Mul(own_s, dx)));
       const Vector ahead = hn::Abs(hn::MulAdd(c, dx, hn::Mul(s, dy)));
       const Vector aside = hn::Abs(hn::MulSub(c, dy, hn::Mul(s, dx)));
-      const Vector gap_1 = hn::Sub(own_ahead, hn::MulAdd(half_y, between_s, hn::MulAdd(half_x, between_c, own_x)));
-      const Vector gap_2 = hn::Sub(own_aside, hn::MulAdd(half_y, between_c, hn::MulAdd(half_x, between_s, own_y)));
+      const Vector gap_1 =
+          hn::Sub(own_ahead, hn::MulAdd(half_y, between_s, hn::MulAdd(half_x, between_c, own_x)));
+      const Vector gap_2 =
+          hn::Sub(own_aside, hn::MulAdd(half_y, between_c, hn::MulAdd(half_x, between_s, own_y)));
       const Vector gap_3 = hn::Sub(ahead, hn::MulAdd(own_y, between_s, hn::MulAdd(own_x, between_c, half_x)));
       const Vector gap_4 = hn::Sub(aside, hn::MulAdd(own_y, between_c, hn::MulAdd(own_x, between_s, half_y)));
       const Vector gap = hn::Max(hn::Max(gap_1, gap_2), hn::Max(gap_3, gap_4));
@@ -196,8 +207,10 @@ class RingTest {
       const Vector dx = hn::Sub(hn::Load(d, leaf.x.data() + i), at_x);
       const Vector dy = hn::Sub(hn::Load(d, leaf.y.data() + i), at_y);
       const Vector c = hn::Load(d, leaf.cos.data() + i), s = hn::Load(d, leaf.sin.data() + i);
-      const Vector ahead = hn::Sub(hn::Abs(hn::MulAdd(c, dx, hn::Mul(s, dy))), hn::Load(d, leaf.half_x.data() + i));
-      const Vector aside = hn::Sub(hn::Abs(hn::MulSub(c, dy, hn::Mul(s, dx))), hn::Load(d, leaf.half_y.data() + i));
+      const Vector ahead =
+          hn::Sub(hn::Abs(hn::MulAdd(c, dx, hn::Mul(s, dy))), hn::Load(d, leaf.half_x.data() + i));
+      const Vector aside =
+          hn::Sub(hn::Abs(hn::MulSub(c, dy, hn::Mul(s, dx))), hn::Load(d, leaf.half_y.data() + i));
       const Vector x = hn::Max(ahead, hn::Zero(d));
       const Vector y = hn::Max(aside, hn::Zero(d));
       const Vector squared = hn::MulAdd(x, x, hn::Mul(y, y));
@@ -234,7 +247,8 @@ bool siftNode(const Node& node, const Test& test, Sieve& sieve) {
   return false;
 }
 
-/// In double precision, by the same code for all instruction sets, for the pieces that single precision leaves open.
+/// In double precision, by the same code for all instruction sets, for the pieces that single precision
+/// leaves open.
 struct ExactBody {
   const Prism& body;
   bool touches(const Piece& piece) const { return areTouching(body, piece); }
@@ -302,8 +316,7 @@ bool touchBody(const Tree& tree, const Prism& body) {
 
 void touchBodies(const Tree& tree, std::span<const Prism> bodies, std::span<char> touched) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    touched[i] =
-        touchesTree(*tree.root, RectangleTest(bodies[i], tree.origin), ExactBody{bodies[i]}) ? 1 : 0;
+    touched[i] = touchesTree(*tree.root, RectangleTest(bodies[i], tree.origin), ExactBody{bodies[i]}) ? 1 : 0;
 }
 
 bool touchRing(const Tree& tree, const Ring& ring, Closer& closer) {
@@ -345,7 +358,8 @@ bool areTouching(const Prism& body, const Piece& piece) {
 
 std::vector<std::string> instructionSets() {
   std::vector<std::string> names;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    names.emplace_back(hwy::TargetName(target));
   return names;
 }
 
@@ -359,9 +373,7 @@ void useInstructionSet(const std::string& name) {
   throw std::invalid_argument("this machine has no instruction set " + name);
 }
 
-bool touches(const Tree& tree, const Prism& body) {
-  return tree.root && chosen().touch_body(tree, body);
-}
+bool touches(const Tree& tree, const Prism& body) { return tree.root && chosen().touch_body(tree, body); }
 
 bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
   return tree.root && chosen().touch_ring(tree, ring, closer);

@@ -55,7 +55,8 @@ void sift(const Tree& tree, const Ring& ring, Sieve& sieve);
 
 /// The instruction sets that the code is made for and this machine has, the best one first: "AVX2", "SSE4".
 [[nodiscard]] std::vector<std::string> instructionSets();
-/// Uses one of them from now on, instead of the best one; for tests. Not while others call the functions above.
+/// Uses one of them from now on, instead of the best one; for tests. Not while others call the functions
+/// above.
 void useInstructionSet(const std::string& name);
 
 }  // namespace underway

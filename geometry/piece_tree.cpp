@@ -102,9 +102,8 @@ class Maker {
     leaf.sin[i] = static_cast<float>(around.sin);
     leaf.half_x[i] = static_cast<float>(around.half_x);
     leaf.half_y[i] = static_cast<float>(around.half_y);
-    leaf.error_m =
-        std::max(leaf.error_m, kRoundings * (std::abs(leaf.x[i]) + std::abs(leaf.y[i]) + leaf.half_x[i] +
-                                             leaf.half_y[i]));
+    leaf.error_m = std::max(leaf.error_m, kRoundings * (std::abs(leaf.x[i]) + std::abs(leaf.y[i]) +
+                                                        leaf.half_x[i] + leaf.half_y[i]));
     leaf.rectangles = (leaf.rectangles & ~(1U << i)) | (entry.held->isRectangle() ? 1U << i : 0U);
     leaf.used |= 1U << i;
     leaf.pieces[i] = entry.held;
@@ -153,7 +152,8 @@ void part(Things things, std::size_t cut) {
     high = {std::max(high.x, at.x), std::max(high.y, at.y)};
   }
   const auto order = [&](const auto& is_before) {
-    std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(cut), things.end(), is_before);
+    std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(cut), things.end(),
+                     is_before);
   };
   if (high.x - low.x >= high.y - low.y)
     order([](const auto& a, const auto& b) { return middleOf(a).x < middleOf(b).x; });
@@ -201,7 +201,8 @@ class Loader {
   [[nodiscard]] NodeEntry leafOf(std::span<const Item> items) const {
     std::vector<PieceEntry> entries;
     entries.reserve(items.size());
-    for (const Item& item : items) entries.push_back(make_.entryOf(PiecePointer(block_, &(*block_)[item.piece])));
+    for (const Item& item : items)
+      entries.push_back(make_.entryOf(PiecePointer(block_, &(*block_)[item.piece])));
     return make_.nodeOf(std::span<const PieceEntry>(entries));
   }
 
@@ -302,6 +303,16 @@ std::optional<NodeEntry> removed(const Maker& make, const Node& node, const Piec
   return std::nullopt;
 }
 
+/// All pieces below a node.
+void gather(const Node& node, std::vector<Piece>& pieces) {
+  for (std::size_t i = 0; i < node.count(); ++i) {
+    if (node.isLeaf())
+      pieces.push_back(*static_cast<const Leaf&>(node).pieces[i]);
+    else
+      gather(*static_cast<const Branch&>(node).below[i], pieces);
+  }
+}
+
 /// In the middle of pieces.
 Point originOf(std::span<const Piece> pieces) {
   Range x{pieces[0].around.center.x, pieces[0].around.center.x};
@@ -360,16 +371,24 @@ Tree treeOf(std::vector<Piece> pieces) {
   if (pieces.empty()) return {};
   const auto block = std::make_shared<const std::vector<Piece>>(std::move(pieces));
   const Point origin = originOf(*block);
-  return {Loader(block, origin).load(), origin};
+  return {Loader(block, origin).load(), origin, block->size(), 0};
+}
+
+Tree renewed(const Tree& tree) {
+  std::vector<Piece> pieces;
+  pieces.reserve(tree.pieces);
+  if (tree.root) gather(*tree.root, pieces);
+  return treeOf(std::move(pieces));
 }
 
 Tree with(const Tree& tree, PiecePointer piece) {
   const Point origin = tree.root ? tree.origin : originOf(std::span(piece.get(), 1));
   const Maker make(origin);
   const PieceEntry entry = make.entryOf(std::move(piece));
-  if (!tree.root) return {make.nodeOf(std::span(&entry, 1)).held, origin};
+  if (!tree.root) return {make.nodeOf(std::span(&entry, 1)).held, origin, 1, 0};
   const auto nodes = inserted(make, *tree.root, entry);
-  return {nodes.size() == 1 ? nodes[0].held : make.nodeOf(std::span<const NodeEntry>(nodes)).held, origin};
+  return {nodes.size() == 1 ? nodes[0].held : make.nodeOf(std::span<const NodeEntry>(nodes)).held, origin,
+          tree.pieces + 1, tree.changes + 1};
 }
 
 Tree without(const Tree& tree, const Piece& piece) {
@@ -380,7 +399,7 @@ Tree without(const Tree& tree, const Piece& piece) {
   NodePointer root = left->held;
   // A root with a single branch below it is one level too many.
   while (root && !root->isLeaf() && root->count() == 1) root = static_cast<const Branch&>(*root).below[0];
-  return {root, tree.origin};
+  return {root, tree.origin, tree.pieces - 1, tree.changes + 1};
 }
 
 }  // namespace underway

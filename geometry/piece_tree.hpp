@@ -46,8 +46,8 @@ auto withCorners(const Piece& piece, const Look& look) {
 /// As many entries as a node of the tree has at most.
 inline constexpr std::size_t kFan = 8;
 
-/// Two numbers in single precision, each rounded twice, compare right if one is moved by this part of it and
-/// the other by this part of what was added to it.
+/// How far areas are moved outwards, relative to their own coordinates: four half units in the last place of
+/// single precision, for the four roundings at most that made the number they are compared with.
 inline constexpr double kOutwards = 0x1.0p-22;
 
 /// Axis-aligned areas of a node's entries, field by field for SIMD, moved outwards by kOutwards; relative to
@@ -71,8 +71,9 @@ struct Branch : Node {
   std::array<NodePointer, kFan> below;
 };
 
-/// What a gap worked out in single precision may be off, relative to the coordinates and sizes that it is made
-/// of: about twelve roundings, and twice that to be safe.
+/// What a gap worked out in single precision may be off near contact, relative to the coordinates and sizes
+/// that it is made of: at most nine roundings were seen there, and missed collisions begin when two are
+/// allowed for. (Far from contact it may be off by more, which decides nothing.)
 inline constexpr float kRoundings = 24.0F * 0x1.0p-24F;
 
 /// Pieces, and their rectangles field by field for SIMD, relative to the tree's origin.
@@ -84,13 +85,17 @@ struct Leaf : Node {
 };
 
 struct Tree {
-  NodePointer root;  ///< null: no pieces
-  Point origin;      ///< among the pieces it was made of, so that single precision does for those near it; map
-                     ///< frame [m]
+  NodePointer root;         ///< null: no pieces
+  Point origin;             ///< among the pieces it was made of, so that single precision does for those near
+                            ///< it; map frame [m]
+  std::size_t pieces = 0;   ///< it holds
+  std::size_t changes = 0;  ///< since it was loaded; each leaves it a little worse to search
 };
 
 /// A balanced tree with full leaves (overlap-minimising top-down loading, Lee and Lee 2003), in n log n time.
 [[nodiscard]] Tree treeOf(std::vector<Piece> pieces);
+/// The same pieces, loaded anew.
+[[nodiscard]] Tree renewed(const Tree& tree);
 /// With one more.
 [[nodiscard]] Tree with(const Tree& tree, PiecePointer piece);
 /// Without the piece of an obstacle, found by what was flattened from it; the same tree if it is not there.

@@ -13,7 +13,8 @@ double normalizedAngle(double angle_rad) {
 double counterClockwise(double from_rad, double to_rad) {
   const double way = std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
   const double positive = way < 0.0 ? way + 2.0 * std::numbers::pi : way;
-  return positive < 2.0 * std::numbers::pi ? positive : 0.0;  // a hair below 0 rounds up to a whole revolution
+  return positive < 2.0 * std::numbers::pi ? positive
+                                           : 0.0;  // a hair below 0 rounds up to a whole revolution
 }
 
 Pose compose(const Pose& base, const Pose& relative) {

@@ -79,13 +79,16 @@ struct Turning::Arc {
       if (covers(corner)) least.consider(std::abs(norm(corner) - radius_m), corner);
     // Where a line outside the circle is nearest to it.
     const Point foot = nearestOnSegment({0.0, 0.0}, a, b);
-    if (const double away = norm(foot); away >= radius_m && covers(foot)) least.consider(away - radius_m, foot);
+    if (const double away = norm(foot); away >= radius_m && covers(foot))
+      least.consider(away - radius_m, foot);
     return least;
   }
 };
 
 Turning::Turning(const Prism& body, double angle_rad)
-    : body_(body), angle_rad_(std::min(std::abs(angle_rad), 2.0 * std::numbers::pi)), is_mirrored_(angle_rad < 0.0) {
+    : body_(body),
+      angle_rad_(std::min(std::abs(angle_rad), 2.0 * std::numbers::pi)),
+      is_mirrored_(angle_rad < 0.0) {
   cos_ = std::cos(angle_rad_);
   sin_ = std::sin(angle_rad_);
   yaw_cos_ = std::cos(body.frame.yaw);
@@ -116,9 +119,9 @@ Turning::Arc Turning::arcTo(Point end) const {
 }
 
 bool Turning::touches(ConvexView piece) const {
-  if (areTouching(first_, piece) || areTouching(last_, piece)) return true;
-  if (angle_rad_ < kStill_rad) return false;
-  // A hair larger: then a touch is a crossing, however it rounds.
+  if (angle_rad_ < kStill_rad) return areTouching(first_, piece);
+  // A hair larger, from the beginning on: then a touch is a crossing, however it rounds.
+  if (areTouching(body_.grown(kContact_m).footprint(), piece) || areTouching(last_, piece)) return true;
   const Range x{local_[0].x - kContact_m, local_[2].x + kContact_m};
   const Range y{local_[0].y - kContact_m, local_[2].y + kContact_m};
   const std::array<Point, 4> body = cornersOf(x, y);
@@ -138,7 +141,8 @@ bool Turning::touches(ConvexView piece) const {
 
 Gap Turning::gapTo(ConvexView piece) const {
   if (touches(piece)) return {0.0, piece.front()};
-  const std::array<Arc, 4> ways{arcFrom(local_[0]), arcFrom(local_[1]), arcFrom(local_[2]), arcFrom(local_[3])};
+  const std::array<Arc, 4> ways{arcFrom(local_[0]), arcFrom(local_[1]), arcFrom(local_[2]),
+                                arcFrom(local_[3])};
   Gap best{kNone, {}};
   const auto consider = [&](double distance_m, Point at) {
     if (distance_m < best.distance_m) best = {distance_m, at};

@@ -26,10 +26,10 @@ class Turning {
   /// All points this near to the pivot are covered all the time; 0 if the pivot is not inside the body [m].
   [[nodiscard]] double innerRadius() const { return inner_m_; }
 
-  /// Whether a piece comes nearer than kContact_m on the way.
+  /// Whether a piece comes nearer than kContact_m on the way; nearer than 3 kContact_m it may be said to.
   [[nodiscard]] bool touches(ConvexView piece) const;
   /// The least gap to a piece on the way, and the piece's point it is at. Never above the truth and at most
-  /// 2 kContact_m below; 0 exactly when it touches.
+  /// 3 kContact_m below; 0 exactly when it touches.
   [[nodiscard]] Gap gapTo(ConvexView piece) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace underway {
 namespace {
 
-constexpr double kRounding = 1e-14;        // of coordinates through a frame, relative
+constexpr double kRounding = 1e-14;  // of coordinates through a frame, relative
 constexpr double kSmallestBounds_m = 0.01;
 
 bool isSane(double value) { return std::isfinite(value) && std::abs(value) <= World::kLargest_m; }
@@ -48,19 +48,28 @@ tl::unexpected<Error> noSuchObstacle(const std::string& map, std::string_view id
   return refusal(map, "there is no obstacle \"" + std::string(id) + "\"; add it first");
 }
 
+/// Scatters every bit over all of a number (the finaliser of splitmix64, Steele, Lea and Flood 2014): so that
+/// a sum of such numbers tells of its parts.
+std::uint64_t scattered(std::uint64_t value) {
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
+  return value ^ (value >> 31);
+}
+
 std::uint64_t fingerprintOf(const Obstacle& obstacle) {
   Fingerprint print;
   print.add(obstacle.id);
   for (const Vec3& v : {obstacle.box.center_m, obstacle.box.size_m, obstacle.box.rpy_rad})
     print.add(v.x).add(v.y).add(v.z);
-  return print.value();
+  return scattered(print.value());
 }
 
 /// A point of the map frame in a frame.
 Point inFrame(const Pose& frame, Point point) {
   const double c = std::cos(frame.yaw);
   const double s = std::sin(frame.yaw);
-  return {c * (point.x - frame.x) + s * (point.y - frame.y), -s * (point.x - frame.x) + c * (point.y - frame.y)};
+  return {c * (point.x - frame.x) + s * (point.y - frame.y),
+          -s * (point.x - frame.x) + c * (point.y - frame.y)};
 }
 
 }  // namespace
@@ -77,7 +86,8 @@ bool Bounds::containsArc(Point center, double radius_m, double from_rad, double 
   const Point middle = inFrame(corner, center);
   const auto reaches = [&](double direction) { return counterClockwise(begin, direction) <= angle; };
   const auto is_inside = [&](double direction) {
-    return contains(transform(corner, {middle.x + radius_m * std::cos(direction), middle.y + radius_m * std::sin(direction)}));
+    return contains(transform(
+        corner, {middle.x + radius_m * std::cos(direction), middle.y + radius_m * std::sin(direction)}));
   };
   // An arc is furthest out at its ends and where it runs along an edge.
   if (!is_inside(begin) || !is_inside(begin + angle)) return false;
@@ -111,17 +121,21 @@ Expected<World> World::make(std::string name, Bounds bounds, double floor_z_m,
 }
 
 World World::next(Obstacles obstacles, std::uint64_t gone, std::uint64_t come) const {
-  World world = *this;
+  World world;
+  world.name_ = name_;
+  world.bounds_ = bounds_;
+  world.floor_z_m_ = floor_z_m_;
   world.obstacles_ = std::move(obstacles);
-  world.fingerprint_ += come - gone;
-  ++world.revision_;
+  world.fingerprint_ = fingerprint_ + come - gone;
+  world.revision_ = revision_ + 1;
   return world;
 }
 
 Expected<World> World::added(Obstacle obstacle) const {
   if (const std::string fault = faultOf(obstacle); !fault.empty()) return refusal(name_, fault);
   if (obstacles_.find(obstacle.id))
-    return refusal(name_, "obstacle id \"" + obstacle.id + "\" is taken; move that obstacle, or choose another id");
+    return refusal(name_,
+                   "obstacle id \"" + obstacle.id + "\" is taken; move that obstacle, or choose another id");
   const std::uint64_t come = fingerprintOf(obstacle);
   return next(obstacles_.with(std::move(obstacle)), 0, come);
 }

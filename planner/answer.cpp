@@ -17,7 +17,8 @@ constexpr double kClearanceStep_m = 1e-3;  // to which kSafest finds the largest
 Plan planOf(const Checker& checker, const Route& route, const Pose& start) {
   std::vector<Segment> segments;
   for (const Motion& motion : route)
-    segments.push_back({motion, duration(checker.robot(), motion), checker.closeness(motion, kClearanceCap_m)});
+    segments.push_back(
+        {motion, duration(checker.robot(), motion), checker.closeness(motion, kClearanceCap_m)});
   return timedPlan(std::move(segments), start);
 }
 

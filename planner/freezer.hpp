@@ -33,8 +33,8 @@ class Freezer {
   void addTurnsOf(PlaceId place, const std::vector<NodeId>& ring);
   void addBothTurns(NodeId a, NodeId b, bool turns_freely);
   void addSwitch(NodeId from, NodeId to);
-  /// Checks all motions that were asked about, in a few calls, and drops the edges of those that are not free.
-  /// False when interrupted.
+  /// Checks all motions that were asked about, in a few calls, and drops the edges of those that are not
+  /// free. False when interrupted.
   [[nodiscard]] bool dropBlocked();
   void pack();
   void indexPlaces();

@@ -19,7 +19,8 @@ bool isFinite(const Pose& pose) {
 /// The height a place below an obstacle leaves, 0 if the obstacle stands on the floor [m].
 double heightBelow(const World& world, const std::string& id) {
   double lowest = INFINITY;
-  for (const Vec3& corner : corners(world.obstacles()[*world.obstacles().find(id)].box)) lowest = std::min(lowest, corner.z);
+  for (const Vec3& corner : corners(world.obstacles()[*world.obstacles().find(id)].box))
+    lowest = std::min(lowest, corner.z);
   return std::max(0.0, lowest - world.floorZ());
 }
 

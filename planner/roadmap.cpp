@@ -50,8 +50,7 @@ bool isFree(const Roadmap& roadmap, const Checker& checker, Roadmap::NodeId from
 bool isFreeKeeping(const Checker& checker, const Motion& motion, double keep_m) {
   const double margin = checker.robot().margin_m;
   if (keep_m >= margin) return checker.isFree(motion, keep_m);
-  return checker.isFree(motion, 0.0) &&
-         checker.closeness(motion, margin).clearance_m >= keep_m - kRounding_m;
+  return checker.isFree(motion, 0.0) && checker.closeness(motion, margin).clearance_m >= keep_m - kRounding_m;
 }
 
 double clearanceToKeep(const Checker& checker, ModeId mode, const Pose& pose) {

@@ -21,8 +21,9 @@ TEST(ReferenceSeparation, OfBoxesSideBySideIsTheirGapAndOfOverlappingOnesTheWayO
 TEST(ReferenceSeparation, KnowsAnEdgeThatPointsAtAFace) {
   // A cube turned by 45 degrees: its edge is half its diagonal ahead of its middle.
   const double half_diagonal = 0.5 * std::numbers::sqrt2;
-  EXPECT_NEAR(reference::separation(kBody, {{0.6 + half_diagonal, 0.0, 0.5}, {1.0, 1.0, 1.0}, {0, 0, kPi / 4}}),
-              0.1, 1e-12);
+  EXPECT_NEAR(
+      reference::separation(kBody, {{0.6 + half_diagonal, 0.0, 0.5}, {1.0, 1.0, 1.0}, {0, 0, kPi / 4}}), 0.1,
+      1e-12);
 }
 
 TEST(ReferenceSeparation, KnowsEdgesThatCrossInSpace) {

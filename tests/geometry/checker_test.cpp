@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <thread>
 
-#include "geometry/judge.hpp"
 #include "geometry/flatten.hpp"
+#include "geometry/judge.hpp"
 #include "geometry/sweep.hpp"
 #include "tests/geometry/random_world.hpp"
 
@@ -196,9 +195,8 @@ TEST_P(CheckerProperty, RevisionsAnswerAsCheckersMadeAnewAndDisturbNoEarlierOne)
   std::vector<Motion> motions;
   for (int i = 0; i < 300; ++i) motions.push_back(random.motion(*robot));
   const std::vector<char> at_first = dut.areFree(motions, 0.02);
-  std::atomic<bool> is_over = false;
-  std::jthread reader([&] {  // all the while
-    while (!is_over) {
+  std::jthread reader([&](const std::stop_token& stop) {  // all the while
+    while (!stop.stop_requested()) {
       ASSERT_EQ(dut.areFree(motions, 0.02), at_first);
       for (int k = 0; k < 3; ++k) (void)dut.judge().isClear(motions[static_cast<std::size_t>(k)], 0.0);
     }
@@ -210,7 +208,7 @@ TEST_P(CheckerProperty, RevisionsAnswerAsCheckersMadeAnewAndDisturbNoEarlierOne)
     const std::string id = revision->obstacles()[i].id;
     const int what = random.oneOf(3);
     auto next = what == 0 && revision->obstacles().size() > 1 ? revision->removed(id)
-                : what == 1 ? revision->moved(id, random.box(true))
+                : what == 1                                   ? revision->moved(id, random.box(true))
                             : revision->added({"new_" + std::to_string(step), random.box(true)});
     revision = std::make_shared<const World>(std::move(*next));
     changed = changed.at(revision);
@@ -229,7 +227,6 @@ TEST_P(CheckerProperty, RevisionsAnswerAsCheckersMadeAnewAndDisturbNoEarlierOne)
     for (std::size_t k = 0; k < 20; ++k)
       ASSERT_EQ(changed.judge().isClear(motions[k], 0.0), fresh.judge().isClear(motions[k], 0.0));
   }
-  is_over = true;
 }
 
 TEST_P(CheckerProperty, RoomToTurnAllRoundMeansEveryTurnIsFree) {
@@ -310,7 +307,8 @@ TEST(Checker, ATurnIsStoppedByAPostThatOnlyTheCornersReach) {
 TEST(Checker, WhatIsNotFiniteIsNeitherFreeNorClear) {
   const Checker dut = roomWith({});
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Pose& pose : {Pose{nan, 1, 0}, Pose{1, nan, 0}, Pose{1, 1, nan}, Pose{INFINITY, 1, 0}, Pose{1, 1, INFINITY}}) {
+  for (const Pose& pose :
+       {Pose{nan, 1, 0}, Pose{1, nan, 0}, Pose{1, 1, nan}, Pose{INFINITY, 1, 0}, Pose{1, 1, INFINITY}}) {
     EXPECT_FALSE(dut.isFree(stay(0, pose)));
     EXPECT_FALSE(dut.isFree(turn(0, pose, 1.0, 1.0)));
     EXPECT_FALSE(dut.isFree(translate(0, Sense::kForward, pose, 0.1)));
@@ -318,7 +316,8 @@ TEST(Checker, WhatIsNotFiniteIsNeitherFreeNorClear) {
     EXPECT_TRUE(dut.blockers(stay(0, pose), 0.0).empty());
   }
   EXPECT_FALSE(dut.isFree(turn(0, {3, 2, 0}, nan, 0.0)));
-  EXPECT_EQ(dut.areFree(std::vector{stay(0, {nan, 1, 0}), stay(0, {3, 2, 0})}, 0.0), (std::vector<char>{0, 1}));
+  EXPECT_EQ(dut.areFree(std::vector{stay(0, {nan, 1, 0}), stay(0, {3, 2, 0})}, 0.0),
+            (std::vector<char>{0, 1}));
 }
 
 TEST(Checker, AnotherFloorMakesOtherSlabs) {

@@ -67,6 +67,14 @@ TEST(Gap, IsZeroWhenSetsOverlapOrTouchAndOneHoldsTheOther) {
   EXPECT_EQ(distanceTo(square, {0.5, 0.5}), 0.0);
 }
 
+TEST(Gap, OfAPointInLineWithALineIsTheWayToItsEnd) {
+  const std::vector<Point> line{{0, 0}, {1, 0}};
+  EXPECT_NEAR(distanceTo(line, {100, 0}), 99.0, 2e-9);
+  EXPECT_NEAR(distanceTo(line, {-2, 0}), 2.0, 2e-9);
+  EXPECT_EQ(distanceTo(line, {0.5, 0}), 0.0);
+  EXPECT_NEAR(gapBetween(line, std::vector<Point>{{3, 0}, {4, 0}}).distance_m, 2.0, 2e-9);
+}
+
 TEST(Gap, IsKnownBetweenSquares) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Point> beyond{{4, 5}, {5, 5}, {5, 6}, {4, 6}};

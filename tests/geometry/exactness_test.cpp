@@ -6,8 +6,8 @@
 
 #include "geometry/overlap_simd.hpp"
 
-/// The engine against the slow reference on random cases, many within nanometres of contact; the benchmark runs
-/// a hundred times as many.
+/// The engine against the slow reference on random cases, many within nanometres of contact; the benchmark
+/// runs a hundred times as many.
 namespace underway {
 namespace {
 
@@ -16,6 +16,7 @@ constexpr std::uint64_t kSeed = 20;  // the benchmark's cases are others
 void expectExact(const bench::Exactness& found) {
   EXPECT_EQ(found.missed, 0U) << "of " << found.collisions << " collisions";
   EXPECT_EQ(found.false_alarms, 0U) << "of " << found.cases << " cases";
+  EXPECT_EQ(found.disagreements, 0U) << "one by one, in a batch and by visiting must be the same";
   EXPECT_EQ(found.doubtful, 0U) << "the two references must agree beyond 1 um from contact";
   EXPECT_GT(found.collisions, found.cases / 20) << "the cases are too easy";
   EXPECT_GT(found.near_contact, found.cases / 100) << "the cases are too easy";
@@ -47,7 +48,8 @@ class InstructionSets : public testing::Test {
 };
 
 TEST_F(InstructionSets, AllGiveTheSameAnswers) {
-  if (instructionSets().size() < 2) GTEST_SKIP() << "NOT TESTED: this machine has only " << instructionSets()[0];
+  if (instructionSets().size() < 2)
+    GTEST_SKIP() << "NOT TESTED: this machine has only " << instructionSets()[0];
   std::optional<std::uint64_t> first;
   for (const std::string& name : instructionSets()) {
     SCOPED_TRACE(name);

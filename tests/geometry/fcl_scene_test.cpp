@@ -11,7 +11,8 @@ std::shared_ptr<const Obstacles> obstaclesOf(const std::shared_ptr<const World>&
   return {world, &world->obstacles()};
 }
 
-/// As many changes at a time as a scene carries beside its tree, or more, whether it was asked in between or not.
+/// As many changes at a time as a scene carries beside its tree, or more, whether it was asked in between or
+/// not.
 TEST(FclScene, AnswersAfterChangesAsOneMadeAnew) {
   test::RandomWorld random(1);
   auto world = random.world(60);
@@ -21,9 +22,11 @@ TEST(FclScene, AnswersAfterChangesAsOneMadeAnew) {
       const auto i = static_cast<std::size_t>(random.oneOf(static_cast<int>(world->obstacles().size())));
       const std::string id = world->obstacles()[i].id;
       const int what = random.oneOf(3);
-      auto changed = what == 0   ? world->moved(id, random.box(true))
-                     : what == 1 ? world->removed(id)
-                                 : world->added({"new_" + std::to_string(step) + "_" + std::to_string(k), random.box(true)});
+      auto changed =
+          what == 0 ? world->moved(id, random.box(true))
+          : what == 1
+              ? world->removed(id)
+              : world->added({"new_" + std::to_string(step) + "_" + std::to_string(k), random.box(true)});
       ASSERT_TRUE(changed);
       world = std::make_shared<const World>(std::move(*changed));
     }

@@ -41,9 +41,18 @@ TEST(Headroom, OverATurnIsTheLeastOverItsHeadings) {
   EXPECT_GT(found, 50);
 }
 
+TEST(Headroom, OverManyTurnsIsThatOverOne) {
+  std::optional<std::string> twin;
+  const Layer hanging = Layer::hangingAbove(
+      kTop_m, Obstacles({{"board", {{0.3, 0, 1.2}, {1, 1, 0.1}, {0.4, 0.2, 0.0}}}}, twin));
+  const Prism body{{0.0, 0.0, 0.0}, {-0.1, 0.6}, {-0.2, 0.2}, {0.0, kTop_m}};
+  EXPECT_NEAR(*headroomBelow(hanging, body, 1e5), *headroomBelow(hanging, body, 6.3), 1e-3);
+}
+
 TEST(Headroom, BelowATableIsTheGapToItsUnderside) {
   std::optional<std::string> twin;
-  const Layer hanging = Layer::hangingAbove(kTop_m, Obstacles({{"top", {{0, 0, 0.72}, {1, 1, 0.04}, {}}}}, twin));
+  const Layer hanging =
+      Layer::hangingAbove(kTop_m, Obstacles({{"top", {{0, 0, 0.72}, {1, 1, 0.04}, {}}}}, twin));
   const Prism under{{0.2, 0.0, 0.0}, {-0.1, 0.1}, {-0.1, 0.1}, {0.0, kTop_m}};
   const Prism beside{{0.7, 0.0, 0.0}, {-0.1, 0.1}, {-0.1, 0.1}, {0.0, kTop_m}};
   EXPECT_NEAR(*headroomBelow(hanging, under), 0.2, 1e-12);

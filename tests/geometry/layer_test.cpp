@@ -100,23 +100,27 @@ const Prism kBody{{0.0, 0.0, 0.0}, {-0.1, 0.1}, {-0.1, 0.1}, kSlab};
 
 TEST(Layer, TakesAHundredThousandBoxesInOnePlace) {
   std::vector<Obstacle> obstacles;
-  for (int i = 0; i < 100'000; ++i) obstacles.push_back({std::to_string(100'000 + i), {{0.3, 0, 0.2}, {0.2, 0.2, 0.2}, {}}});
+  for (int i = 0; i < 100'000; ++i)
+    obstacles.push_back({std::to_string(100'000 + i), {{0.3, 0, 0.2}, {0.2, 0.2, 0.2}, {}}});
   const Layer dut = layerOf(obstacles);
   EXPECT_FALSE(dut.touches(kBody));
   EXPECT_TRUE(dut.touches(kBody.grown(0.1)));
   EXPECT_NEAR(dut.nearest(kBody, 1.0)->gap.distance_m, 0.1, 2e-9);
-  EXPECT_EQ(dut.nearest(kBody.grown(0.2), 1.0)->piece->obstacle->id, "100000") << "the smallest id of all that touch";
+  EXPECT_EQ(dut.nearest(kBody.grown(0.2), 1.0)->piece->obstacle->id, "100000")
+      << "the smallest id of all that touch";
 }
 
 TEST(Layer, TakesPiecesThatAreAPointOrALine) {
   // A box on its edge, and one on its corner, that reach the slab with just that.
   const double half_diagonal = 0.5 * std::sqrt(2.0);
-  const Layer line = layerOf({{"edge", {{0.3, 0.0, 0.5 + half_diagonal}, {1.0, 1.0, 1.0}, {0.0, M_PI / 4.0, 0.0}}}});
+  const Layer line =
+      layerOf({{"edge", {{0.3, 0.0, 0.5 + half_diagonal}, {1.0, 1.0, 1.0}, {0.0, M_PI / 4.0, 0.0}}}});
   ASSERT_NE(line.tree().root, nullptr);
   EXPECT_NEAR(line.nearest(kBody, 1.0)->gap.distance_m, 0.2, 1e-6);
   EXPECT_TRUE(line.touches(kBody.grown(0.2 + 1e-6)));
   const double steep = std::atan(std::sqrt(0.5));
-  const Layer point = layerOf({{"corner", {{0.3, 0.0, 0.5 + 0.5 * std::sqrt(3.0)}, {1.0, 1.0, 1.0}, {M_PI / 4.0, steep, 0.0}}}});
+  const Layer point = layerOf(
+      {{"corner", {{0.3, 0.0, 0.5 + 0.5 * std::sqrt(3.0)}, {1.0, 1.0, 1.0}, {M_PI / 4.0, steep, 0.0}}}});
   ASSERT_NE(point.tree().root, nullptr);
   EXPECT_NEAR(point.nearest(kBody, 1.0)->gap.distance_m, 0.2, 1e-6);
 }
@@ -132,7 +136,8 @@ TEST(Layer, AnswersFarFromTheOriginAsNearIt) {
 }
 
 TEST(Layer, KeepsItsPrecisionNearAnOutlier) {
-  const Layer dut = layerOf({{"near", {{0.3, 0.0, 0.2}, {0.2, 0.2, 0.2}, {}}}, {"far", {{9e4, 9e4, 0.2}, {1, 1, 1}, {}}}});
+  const Layer dut =
+      layerOf({{"near", {{0.3, 0.0, 0.2}, {0.2, 0.2, 0.2}, {}}}, {"far", {{9e4, 9e4, 0.2}, {1, 1, 1}, {}}}});
   EXPECT_FALSE(dut.touches(kBody.grown(0.1 - 1e-7)));
   EXPECT_TRUE(dut.touches(kBody.grown(0.1)));
 }
@@ -166,7 +171,8 @@ TEST(Layer, LooksAlikeInSlabsThatCutNoBox) {
   const Obstacles walls({{"wall", {{0, 0, 1}, {1, 1, 2}, {}}}, {"lamp", {{0, 0, 2}, {1, 1, 0.1}, {}}}}, twin);
   EXPECT_TRUE(Layer::looksAlike({0.005, 0.2}, {0.005, 0.6}, walls));
   EXPECT_FALSE(Layer::looksAlike({0.005, 0.2}, {0.005, 1.99}, walls));
-  EXPECT_FALSE(Layer::looksAlike({0.005, 0.2}, {0.005, 0.6}, walls.with({"board", {{0, 0, 0}, {1, 1, 1}, {0.1, 0, 0}}})));
+  EXPECT_FALSE(Layer::looksAlike({0.005, 0.2}, {0.005, 0.6},
+                                 walls.with({"board", {{0, 0, 0}, {1, 1, 1}, {0.1, 0, 0}}})));
 }
 
 }  // namespace

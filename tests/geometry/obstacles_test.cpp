@@ -68,7 +68,7 @@ TEST_P(ObstaclesProperty, ChangesLeadFromOneTableToTheOther) {
   Obstacles after = before;
   for (int k = 0; k < 20; ++k) {
     const auto at = static_cast<std::size_t>(random.oneOf(static_cast<int>(after.size())));
-    after = k % 3 == 0 ? after.without(at)
+    after = k % 3 == 0   ? after.without(at)
             : k % 3 == 1 ? after.withBox(at, random.box(false))
                          : after.with({"new" + std::to_string(k), random.box(false)});
   }

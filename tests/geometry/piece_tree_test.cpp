@@ -12,9 +12,7 @@ namespace {
 Piece randomPiece(test::RandomWorld& random) {
   const OrientedBox box = random.box(false);
   const auto obstacle = std::make_shared<const Obstacle>(Obstacle{"o", box});
-  return {obstacle,
-          {{box.center_m.x, box.center_m.y}, 1.0, 0.0, 0.5 * box.size_m.x, 0.5 * box.size_m.y},
-          {}};
+  return {obstacle, {{box.center_m.x, box.center_m.y}, 1.0, 0.0, 0.5 * box.size_m.x, 0.5 * box.size_m.y}, {}};
 }
 
 /// Walks a tree, checks what must hold for each node, and gathers the pieces.

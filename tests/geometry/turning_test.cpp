@@ -79,7 +79,8 @@ TEST(Turning, FurtherMeetsAllThatLessFarMeetsAndComesNoLessNear) {
     const double angle = random.between(-3.0, 3.0);
     const double part = random.between(0.0, 1.0);
     ASSERT_TRUE(!Turning(body, part * angle).touches(piece) || Turning(body, angle).touches(piece));
-    ASSERT_GE(Turning(body, part * angle).gapTo(piece).distance_m + 1e-9, Turning(body, angle).gapTo(piece).distance_m);
+    ASSERT_GE(Turning(body, part * angle).gapTo(piece).distance_m + 1e-9,
+              Turning(body, angle).gapTo(piece).distance_m);
   }
 }
 
@@ -91,7 +92,8 @@ TEST(Turning, BackAgainMeetsTheSame) {
     const double angle = random.between(-3.0, 3.0);
     Prism end = body;
     end.frame.yaw += angle;
-    ASSERT_NEAR(Turning(body, angle).gapTo(piece).distance_m, Turning(end, -angle).gapTo(piece).distance_m, 1e-8);
+    ASSERT_NEAR(Turning(body, angle).gapTo(piece).distance_m, Turning(end, -angle).gapTo(piece).distance_m,
+                1e-8);
   }
 }
 
@@ -99,7 +101,9 @@ TEST(Turning, AllTheWayRoundMeetsAPostThatOnlyACornerReaches) {
   const Prism body{{0, 0, 0}, {-0.3, 0.3}, {-0.1, 0.1}, {0, 1}};
   const double reach = std::hypot(0.3, 0.1);
   for (double direction = 0.0; direction < 2.0 * kPi; direction += 0.37) {
-    const auto post = [&](double at) { return std::vector<Point>{{at * std::cos(direction), at * std::sin(direction)}}; };
+    const auto post = [&](double at) {
+      return std::vector<Point>{{at * std::cos(direction), at * std::sin(direction)}};
+    };
     EXPECT_TRUE(Turning(body, 2.0 * kPi).touches(post(reach - 1e-7)));
     EXPECT_TRUE(Turning(body, -100.0).touches(post(reach - 1e-7)));
     EXPECT_FALSE(Turning(body, 2.0 * kPi).touches(post(reach + 1e-7)));
@@ -111,16 +115,33 @@ TEST(Turning, GrazingTheTangentOfACornersCircleIsACollisionAndAMicrometreOffIsNo
   // The corner's circle touches the wall's face in its highest point, half way through the turn.
   const Prism body{{0, 0, 0}, {-0.3, 0.3}, {-0.1, 0.1}, {0, 1}};
   const double reach = std::hypot(0.3, 0.1);
-  const auto wall = [&](double at) { return std::vector<Point>{{-5.0, at}, {5.0, at}, {5.0, at + 1.0}, {-5.0, at + 1.0}}; };
+  const auto wall = [&](double at) {
+    return std::vector<Point>{{-5.0, at}, {5.0, at}, {5.0, at + 1.0}, {-5.0, at + 1.0}};
+  };
   EXPECT_TRUE(Turning(body, kPi / 2.0).touches(wall(reach)));
   EXPECT_FALSE(Turning(body, kPi / 2.0).touches(wall(reach + 1e-6)));
   EXPECT_NEAR(Turning(body, kPi / 2.0).gapTo(wall(reach + 1e-6)).distance_m, 1e-6, 3e-9);
 }
 
+TEST(Turning, ThatBeginsAndEndsANanometreFromAWallAndEntersItInBetweenTouches) {
+  // The corner's circle bulges into the wall between two headings that hardly miss it.
+  for (const double half : {0.05, 0.2, 0.5}) {
+    for (const double gap : {1.01e-9, 1.2e-9, 1.4e-9, 2e-9, 3e-9, 1e-8}) {
+      const Prism body{{0, 0, -kPi / 4.0 - half}, {-0.3, 0.3}, {-0.3, 0.3}, {0, 1}};
+      const double at = 0.3 * std::numbers::sqrt2 * std::cos(half) + gap;
+      const std::vector<Point> wall{{at, -5.0}, {at + 1.0, -5.0}, {at + 1.0, 5.0}, {at, 5.0}};
+      EXPECT_TRUE(Turning(body, 2.0 * half).touches(wall)) << "gap " << gap << ", half angle " << half;
+      EXPECT_EQ(Turning(body, 2.0 * half).gapTo(wall).distance_m, 0.0);
+    }
+  }
+}
+
 TEST(Turning, IsToldRightBesideAWallOfTenKilometres) {
   const Prism body{{3.0, 2.0, 0.3}, {-0.3, 0.3}, {-0.1, 0.1}, {0, 1}};
   const double top = 2.0 - std::hypot(0.3, 0.1);
-  const auto wall = [&](double at) { return std::vector<Point>{{-5e3, at - 1.0}, {5e3, at - 1.0}, {5e3, at}, {-5e3, at}}; };
+  const auto wall = [&](double at) {
+    return std::vector<Point>{{-5e3, at - 1.0}, {5e3, at - 1.0}, {5e3, at}, {-5e3, at}};
+  };
   EXPECT_TRUE(Turning(body, 2.0 * kPi).touches(wall(top + 1e-8)));
   EXPECT_FALSE(Turning(body, 2.0 * kPi).touches(wall(top - 1e-8)));
 }

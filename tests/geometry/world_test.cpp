@@ -70,12 +70,25 @@ TEST(World, HashTellsWhatIsThereAndNotHowItCame) {
   const OrientedBox there{{3, 1, 1}, {1, 1, 1}, {}};
   const World dut = *World::make("room", kRoom, 0.0, {{"a", here}, {"b", there}});
   const World other_order = *World::make("room", kRoom, 0.0, {{"b", there}, {"a", here}});
-  const World by_changes =
-      *World::make("room", kRoom, 0.0, {{"c", here}, {"a", there}})->removed("c")->moved("a", here)->added({"b", there});
+  const World by_changes = *World::make("room", kRoom, 0.0, {{"c", here}, {"a", there}})
+                                ->removed("c")
+                                ->moved("a", here)
+                                ->added({"b", there});
   EXPECT_EQ(dut.hash(), other_order.hash());
   EXPECT_EQ(dut.hash(), by_changes.hash());
   EXPECT_NE(dut.hash(), dut.moved("a", there)->hash());
   EXPECT_NE(dut.hash(), dut.removed("a")->hash());
+}
+
+TEST(World, HashTellsObstaclesThatExchangedTheirNumbers) {
+  const auto hash = [](double a, double b, double first_yaw, double second_yaw) {
+    return World::make("room", kRoom, 0.0,
+                       {{"box_0", {{1, a, .5}, {.5, .3, 1}, {0, 0, first_yaw}}},
+                        {"box_1", {{3, b, .5}, {.5, .3, 1}, {0, 0, second_yaw}}}})
+        ->hash();
+  };
+  EXPECT_NE(hash(1, 2, 0.0, 2.0), hash(1, 2, 2.0, 0.0));
+  EXPECT_NE(hash(1, 2, 0.0, 0.0), hash(2, 1, 0.0, 0.0));
 }
 
 TEST(World, RefusesChangesThatCannotBeAndSaysWhy) {
