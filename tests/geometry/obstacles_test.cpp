@@ -34,7 +34,7 @@ TEST_P(ObstaclesProperty, ManyChangesLeaveWhatAMapWouldHoldAndEarlierTablesAsThe
   for (int step = 0; step < 3000; ++step) {
     const bool grows = random.oneOf(100) < (step < 2000 ? 60 : 20);
     if (grows || model.empty()) {
-      const std::string id = "o" + std::to_string(step);
+      const std::string id = std::to_string(step);
       const OrientedBox box = random.box(true);
       dut = dut.with({id, box});
       model[id] = box;
@@ -63,14 +63,14 @@ TEST_P(ObstaclesProperty, ManyChangesLeaveWhatAMapWouldHoldAndEarlierTablesAsThe
 
 TEST_P(ObstaclesProperty, ChangesLeadFromOneTableToTheOther) {
   std::vector<Obstacle> obstacles;
-  for (int i = 0; i < 500; ++i) obstacles.push_back({"o" + std::to_string(i), random.box(false)});
+  for (int i = 0; i < 500; ++i) obstacles.push_back({std::to_string(i), random.box(false)});
   const Obstacles before = tableOf(obstacles);
   Obstacles after = before;
   for (int k = 0; k < 20; ++k) {
     const auto at = static_cast<std::size_t>(random.oneOf(static_cast<int>(after.size())));
     after = k % 3 == 0   ? after.without(at)
             : k % 3 == 1 ? after.withBox(at, random.box(false))
-                         : after.with({"new" + std::to_string(k), random.box(false)});
+                         : after.with({std::to_string(1000 + k), random.box(false)});
   }
   std::multiset<const Obstacle*> led;
   for (std::size_t i = 0; i < before.size(); ++i) led.insert(before.pointer(i).get());
