@@ -92,15 +92,17 @@ double fromSegment(Point p, Point a, Point b) {
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/// Whether some edge of a has all of b on its outer side.
+/// Whether some edge of a has all of b further out than all of a.
 bool isSplit(const std::vector<Point>& a, const std::vector<Point>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point from = a[i];
     const Point to = a[(i + 1) % a.size()];
-    const bool all_outside = std::all_of(b.begin(), b.end(), [&](Point p) {
-      return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x) < 0.0;
-    });
-    if (all_outside) return true;
+    const auto inwards = [&](Point p) {
+      return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+    };
+    double furthest_out = 0.0;
+    for (const Point p : a) furthest_out = std::min(furthest_out, inwards(p));
+    if (std::all_of(b.begin(), b.end(), [&](Point p) { return inwards(p) < furthest_out; })) return true;
   }
   return false;
 }

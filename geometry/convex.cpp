@@ -20,15 +20,20 @@ bool isBeyondAnEnd(Point a, Point b, ConvexView set) {
          std::all_of(set.begin(), set.end(), [&](Point p) { return along(p) > length * length + beyond; });
 }
 
-/// Whether all of b lies outside one of a's edges, by more than a contact. Of a line the ends count as edges.
+/// Whether all of b lies outside one of a's edges, by more than a contact, and all of a does not: a corner
+/// that rounding has pushed in or out by less than a picometre turns a short edge so far that, metres on, its
+/// line cuts a. Of a line the ends count as edges.
 bool hasSeparatingEdge(ConvexView a, ConvexView b) {
   if (a.size() < 2) return false;
   if (a.size() == 2 && isBeyondAnEnd(a[0], a[1], b)) return true;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point from = a[i];
     const Point to = a[(i + 1) % a.size()];
-    const double beyond = -kContact_m * std::sqrt(squaredDistance(from, to));
-    if (std::all_of(b.begin(), b.end(), [&](Point p) { return cross(from, to, p) < beyond; })) return true;
+    const auto outside = [&](Point p) { return -cross(from, to, p); };
+    double own = 0.0;
+    for (const Point p : a) own = std::max(own, outside(p));
+    const double beyond = own + kContact_m * std::sqrt(squaredDistance(from, to));
+    if (std::all_of(b.begin(), b.end(), [&](Point p) { return outside(p) > beyond; })) return true;
   }
   return false;
 }

@@ -135,6 +135,24 @@ TEST(Layer, AnswersFarFromTheOriginAsNearIt) {
   }
 }
 
+TEST(Layer, SeesAWallOfKilometresThatLeansAHairByItsMiddle) {
+  // The slab cuts 50 um off its ends. Rounding turns edges that short, and their lines, kilometres on, by
+  // more than the body is deep in the wall.
+  const OrientedBox wall{{-0.083676416682565646, -0.2106484105165054, 0.47032655839686605},
+                         {6671.2501096273727, 0.024366856587042234, 1.5463530318206136},
+                         {0.0, -8.1353266785599843e-05, -2.1043190963707028}};
+  const Range slab{0.005, 0.57250309899324248};
+  std::optional<std::string> twin;
+  const Layer dut = Layer::seenIn(slab, Obstacles({{"wall", wall}}, twin));
+  const Prism body{{-0.2660461381754945, -0.48849442310622404, 0.0},
+                   {-0.0049768888539316594, 0.0024320313511697078},
+                   {-0.0028562828503158823, 0.0015406027193398096},
+                   slab};
+  EXPECT_TRUE(dut.touches(body)) << "it is 10 um deep in the wall";
+  EXPECT_FALSE(dut.touches({{body.frame.x - 2e-5, body.frame.y + 2e-5, 0.0}, body.x, body.y, slab}))
+      << "or, that much to the side, out of it";
+}
+
 TEST(Layer, KeepsItsPrecisionNearAnOutlier) {
   const Layer dut =
       layerOf({{"near", {{0.3, 0.0, 0.2}, {0.2, 0.2, 0.2}, {}}}, {"far", {{9e4, 9e4, 0.2}, {1, 1, 1}, {}}}});
