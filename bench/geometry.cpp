@@ -205,6 +205,7 @@ void addBatch(Figures& figures) {
   // Slats side by side, slantwise over the room: every node's area meets every body's, so the tree sorts out
   // nothing.
   std::vector<Obstacle> slats;
+  slats.reserve(64);
   for (int i = 0; i < 64; ++i)
     slats.push_back({"slat_" + std::to_string(i),
                      {{4.0 + 0.001 * i, 4.0, 0.5}, {11.0, 0.001, 1.0}, {0.0, 0.0, 0.25 * std::numbers::pi}}});

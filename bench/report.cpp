@@ -1,6 +1,7 @@
 #include "bench/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -43,7 +44,7 @@ std::string toJson(const Report& report) {
 double quantile(std::vector<double> numbers, double p) {
   if (numbers.empty()) throw std::invalid_argument("a quantile of no numbers");
   std::sort(numbers.begin(), numbers.end());
-  return numbers[static_cast<std::size_t>(p * static_cast<double>(numbers.size() - 1) + 0.5)];
+  return numbers[static_cast<std::size_t>(std::llround(p * static_cast<double>(numbers.size() - 1)))];
 }
 
 }  // namespace underway::bench

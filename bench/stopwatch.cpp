@@ -30,6 +30,7 @@ Paired inTurn(const std::function<void()>& own, const std::function<void()>& pee
 
 double medianOf(const std::function<void()>& run, int rounds) {
   std::vector<double> seconds;
+  seconds.reserve(static_cast<std::size_t>(rounds));
   for (int round = 0; round < rounds; ++round) seconds.push_back(secondsOf(run));
   return quantile(seconds, 0.5);
 }

@@ -58,11 +58,13 @@ class Obstacles {
 
   class Iterator {
    public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard library's names
     using iterator_category = std::input_iterator_tag;
     using value_type = Obstacle;
     using difference_type = std::ptrdiff_t;
     using pointer = const Obstacle*;
     using reference = const Obstacle&;
+    // NOLINTEND(readability-identifier-naming)
     Iterator(const Obstacles& all, std::size_t at) : all_(&all), at_(at) {}
     reference operator*() const { return (*all_)[at_]; }
     pointer operator->() const { return &(*all_)[at_]; }
