@@ -93,7 +93,7 @@ class Figures {
   /// `own` and `peer` each do `count` of the same.
   void ratio(const std::string& what, const std::string& peer, std::size_t count, std::optional<double> goal,
              const std::function<void()>& own, const std::function<void()>& run_peer) {
-    constexpr int kRounds = 15;
+    constexpr int kRounds = 41;
     const Paired times = inTurn(own, run_peer, kRounds);
     const double scale = 1e6 / static_cast<double>(count);
     report_.rows.push_back({what, times.own_s * scale, "us",

@@ -344,11 +344,8 @@ HWY_EXPORT(kernels);
 
 namespace {
 
-/// The best that this machine has, looked up once.
-Kernels& chosen() {
-  static Kernels kernels = HWY_DYNAMIC_DISPATCH(kernels)();
-  return kernels;
-}
+/// The best that this machine has, looked up when the program starts.
+Kernels chosen = HWY_DYNAMIC_DISPATCH(kernels)();
 
 }  // namespace
 
@@ -367,31 +364,31 @@ void useInstructionSet(const std::string& name) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     if (name != hwy::TargetName(target)) continue;
     hwy::GetChosenTarget().Update(target);
-    chosen() = HWY_DYNAMIC_DISPATCH(kernels)();
+    chosen = HWY_DYNAMIC_DISPATCH(kernels)();
     return;
   }
   throw std::invalid_argument("this machine has no instruction set " + name);
 }
 
-bool touches(const Tree& tree, const Prism& body) { return tree.root && chosen().touch_body(tree, body); }
+bool touches(const Tree& tree, const Prism& body) { return tree.root && chosen.touch_body(tree, body); }
 
 bool touches(const Tree& tree, const Ring& ring, Closer& closer) {
-  return tree.root && chosen().touch_ring(tree, ring, closer);
+  return tree.root && chosen.touch_ring(tree, ring, closer);
 }
 
 void touchEach(const Tree& tree, std::span<const Prism> bodies, std::span<char> touched) {
   if (tree.root)
-    chosen().touch_bodies(tree, bodies, touched);
+    chosen.touch_bodies(tree, bodies, touched);
   else
     std::fill(touched.begin(), touched.end(), 0);
 }
 
 void sift(const Tree& tree, const Prism& body, Sieve& sieve) {
-  if (tree.root) chosen().sift_body(tree, body, sieve);
+  if (tree.root) chosen.sift_body(tree, body, sieve);
 }
 
 void sift(const Tree& tree, const Ring& ring, Sieve& sieve) {
-  if (tree.root) chosen().sift_ring(tree, ring, sieve);
+  if (tree.root) chosen.sift_ring(tree, ring, sieve);
 }
 
 }  // namespace underway
