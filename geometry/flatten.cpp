@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/rectangle.hpp"
+
 namespace underway {
 namespace {
 
@@ -32,18 +34,6 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const std::function<
   return kept;
 }
 
-/// Of an upright box, which is the same at every height.
-std::vector<Point> footprint(const OrientedBox& box) {
-  const double c = std::cos(box.rpy_rad.z);
-  const double s = std::sin(box.rpy_rad.z);
-  const auto at = [&](double x, double y) {
-    return Point{box.center_m.x + c * x - s * y, box.center_m.y + s * x + c * y};
-  };
-  const double x = 0.5 * box.size_m.x;
-  const double y = 0.5 * box.size_m.y;
-  return {at(-x, -y), at(x, -y), at(x, y), at(-x, y)};
-}
-
 }  // namespace
 
 bool isUpright(const OrientedBox& box) { return box.rpy_rad.x == 0.0 && box.rpy_rad.y == 0.0; }
@@ -54,7 +44,11 @@ bool reachesInto(const OrientedBox& upright, Range slab) {
 }
 
 std::vector<Point> flattened(const OrientedBox& box, Range slab) {
-  if (isUpright(box)) return reachesInto(box, slab) ? footprint(box) : std::vector<Point>{};
+  if (isUpright(box)) {
+    if (!reachesInto(box, slab)) return {};
+    const auto corners = cornersOf(footprintOf(box));
+    return {corners.begin(), corners.end()};
+  }
   const std::array<Vec3, 8> vertices = corners(box);
   std::vector<Point> shadow;
   for (const Vec3& v : vertices)

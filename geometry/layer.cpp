@@ -69,15 +69,6 @@ Ring ringOf(const Turning& turning) {
 /// What ends flush with a slab touches it, however that rounds.
 Range widened(Range slab) { return slab.grown(kFlush_m); }
 
-/// Of an upright box.
-Rectangle footprintOf(const OrientedBox& box) {
-  return {{box.center_m.x, box.center_m.y},
-          std::cos(box.rpy_rad.z),
-          std::sin(box.rpy_rad.z),
-          0.5 * box.size_m.x,
-          0.5 * box.size_m.y};
-}
-
 /// An axis-aligned region of the map.
 struct Region {
   double min_x, min_y, max_x, max_y;

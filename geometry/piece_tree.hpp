@@ -9,22 +9,9 @@
 
 #include "geometry/convex.hpp"
 #include "geometry/obstacles.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace underway {
-
-/// A rectangle in the plane.
-struct Rectangle {
-  Point center;      ///< map frame [m]
-  double cos = 1.0;  ///< direction of its x axis in the map frame
-  double sin = 0.0;
-  double half_x = 0.0;  ///< half its size along its own axes [m]
-  double half_y = 0.0;
-};
-
-/// The corners, counter-clockwise.
-[[nodiscard]] std::array<Point, 4> cornersOf(const Rectangle& rectangle);
-/// The smallest rectangle along an edge round some corners, at least one.
-[[nodiscard]] Rectangle rectangleAround(ConvexView corners);
 
 /// A convex piece of floor that an obstacle takes from a mode: a rectangle mostly.
 struct Piece {
