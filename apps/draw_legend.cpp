@@ -131,8 +131,8 @@ std::string drawLegend(const Picture& picture, Point at_px, double width_px) {
   writeObstacles(column, picture.world, picture.robot);
   if (picture.roadmap != nullptr) {
     column.key("fill=\"#fff\" stroke=\"#c3cbd4\"", "roadmap",
-               std::to_string(picture.roadmap->nodes.size()) + " nodes, " +
-                   std::to_string(picture.roadmap->edges.size()) + " edges");
+               std::to_string(picture.roadmap->node_count) + " nodes, " +
+                   std::to_string(picture.roadmap->edge_count) + " edges");
   }
   return column.text();
 }

@@ -75,16 +75,18 @@ std::string drawFloor(const Picture& picture, const View& view) {
 std::string drawRoadmap(const Picture& picture, const View& view) {
   if (picture.roadmap == nullptr) return {};
   const Roadmap& roadmap = *picture.roadmap;
-  std::vector<std::pair<Roadmap::NodeId, Roadmap::NodeId>> lines;  // both ways are one line
-  for (Roadmap::NodeId from = 0; from < roadmap.nodes.size(); ++from)
-    for (const Roadmap::Edge& edge : roadmap.edgesFrom(from))
-      if (edge.kind == MotionKind::kTranslate) lines.emplace_back(std::minmax(from, edge.to));
-  std::sort(lines.begin(), lines.end());
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  const auto is_line = [&](Roadmap::LinkId id) {  // both ways are one line
+    const Roadmap::Link& link = roadmap.links[id];
+    return roadmap.ways[id] != 0 &&
+           (link.twin == Roadmap::kNone || id < link.twin || roadmap.ways[link.twin] == 0);
+  };
+  std::vector<Roadmap::LinkId> lines;
+  for (Roadmap::LinkId id = 0; id < roadmap.links.size(); ++id)
+    if (is_line(id)) lines.push_back(id);
   const std::size_t step = 1 + lines.size() / kMostRoadmapLines;
   PathData path(view);
   for (std::size_t i = 0; i < lines.size(); i += step)
-    path.line(roadmap.nodes[lines[i].first].pose.position(), roadmap.nodes[lines[i].second].pose.position());
+    path.line(roadmap.places[roadmap.links[lines[i]].from].at, roadmap.places[roadmap.links[lines[i]].to].at);
   return path.element("fill=\"none\" stroke=\"#8a97a6\" stroke-width=\"0.5\" stroke-opacity=\"0.35\"");
 }
 

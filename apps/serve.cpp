@@ -91,7 +91,7 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   const std::stop_callback stop_service(signals.token(), [&] { service->stop(); });
   const auto roadmap = planner->roadmap();
   log->info("serving map {} for robot {} in domain {}: {} nodes, {} edges", printable(site->world->name()),
-            printable(site->robot->name), arguments.domain.id, roadmap->nodes.size(), roadmap->edges.size());
+            printable(site->robot->name), arguments.domain.id, roadmap->node_count, roadmap->edge_count);
   if (const Expected<void> announced = announce(arguments.ready_file); !announced) return announced;
   return service->wait();
 }

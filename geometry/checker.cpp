@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "geometry/fcl_scene.hpp"
@@ -54,6 +55,17 @@ class Fence {
       const double direction = std::atan2(corner.y - pivot.y, corner.x - pivot.x);
       return bounds_.containsArc(pivot, distance(pivot, corner), direction, angle_rad);
     });
+  }
+
+  [[nodiscard]] TurningRoom turningRoom(const Prism& body) const {
+    const auto corners = bounds_.corners();
+    TurningRoom room{2.0 * std::numbers::pi, 2.0 * std::numbers::pi};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::array side{corners[i], corners[(i + 1) % corners.size()]};
+      const TurningRoom beside = Turning(body, 2.0 * std::numbers::pi).roomBeside(side);
+      room = {std::min(room.left_rad, beside.left_rad), std::min(room.right_rad, beside.right_rad)};
+    }
+    return room;
   }
 
  private:
@@ -210,6 +222,18 @@ bool Checker::isFreeAllRound(ModeId mode, Point at, double margin_m) const {
   const double room = reachOf(body) + std::sqrt(2.0) * margin_m;
   const Prism square{{at.x, at.y, 0.0}, {-room, room}, {-room, room}, {}};
   return engine_->fence.holds(square) && !engine_->views[engine_->of_mode[mode]].seen.touches(at, room);
+}
+
+TurningRoom Checker::turningRoom(ModeId mode, const Pose& at, double margin_m) const {
+  const View& view = engine_->views[engine_->of_mode[mode]];
+  const Prism body = sweptBox(robot(), stay(mode, at), view.slab);
+  if (!engine_->fence.holds(body)) return {};
+  TurningRoom room = view.seen.turningRoom(body.grown(margin_m));
+  if (!engine_->fence.holdsTurning(body, 2.0 * std::numbers::pi)) {
+    const TurningRoom inside = engine_->fence.turningRoom(body);
+    room = {std::min(room.left_rad, inside.left_rad), std::min(room.right_rad, inside.right_rad)};
+  }
+  return room;
 }
 
 Closeness Checker::closeness(const Motion& motion, double cap_m) const {

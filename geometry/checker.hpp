@@ -8,6 +8,7 @@
 
 #include "geometry/motion.hpp"
 #include "geometry/robot.hpp"
+#include "geometry/turning.hpp"
 #include "geometry/world.hpp"
 
 namespace underway {
@@ -67,6 +68,10 @@ class Checker {
   /// Whether the mode's body can turn all the way round at a point, kept `margin_m` from everything and in
   /// bounds. Judged by the circle round the body: `false` may still leave single turns free.
   [[nodiscard]] bool isFreeAllRound(ModeId mode, Point at, double margin_m) const;
+
+  /// How far a mode's body can turn from a free pose, each way, kept `margin_m` from everything and in
+  /// bounds. Never more than it truly can; less by 1e-7 rad or so, and by more where it comes to the bounds.
+  [[nodiscard]] TurningRoom turningRoom(ModeId mode, const Pose& at, double margin_m) const;
 
   /// Ids of obstacles that the motion touches when the body grows by `margin_m`, sorted, up to `most`.
   [[nodiscard]] std::vector<std::string> blockers(const Motion& motion, double margin_m,

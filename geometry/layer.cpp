@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/flatten.hpp"
 #include "geometry/overlap_simd.hpp"
@@ -60,6 +61,23 @@ class VisitSieve : public Sieve {
  private:
   Closer& closer_;
   const Layer::Visit& visit_;
+};
+
+/// Takes the least room that any piece leaves.
+class RoomSieve : public Sieve {
+ public:
+  RoomSieve(const Turning& all_round, TurningRoom& least) : all_round_(all_round), least_(least) {}
+  bool keep(const Piece& piece, bool is_certain) override {
+    const TurningRoom room =
+        is_certain ? TurningRoom{}
+                   : withCorners(piece, [&](ConvexView corners) { return all_round_.roomBeside(corners); });
+    least_ = {std::min(least_.left_rad, room.left_rad), std::min(least_.right_rad, room.right_rad)};
+    return least_.left_rad <= 0.0 && least_.right_rad <= 0.0;
+  }
+
+ private:
+  const Turning& all_round_;
+  TurningRoom& least_;
 };
 
 Ring ringOf(const Turning& turning) {
@@ -212,6 +230,14 @@ bool Layer::touches(const Turning& turning) const {
 bool Layer::touches(Point center, double radius_m) const {
   DiscCloser closer(center, radius_m);
   return underway::touches(tree_, Ring{center, radius_m, radius_m}, closer);
+}
+
+TurningRoom Layer::turningRoom(const Prism& body) const {
+  TurningRoom room{2.0 * std::numbers::pi, 2.0 * std::numbers::pi};
+  const Turning all_round(body, 2.0 * std::numbers::pi);
+  RoomSieve sieve(all_round, room);
+  sift(tree_, ringOf(all_round), sieve);
+  return room;
 }
 
 void Layer::visitTouched(const Prism& body, const Visit& visit) const {

@@ -39,6 +39,8 @@ class Layer {
   [[nodiscard]] bool touches(const Prism& body) const;
   [[nodiscard]] bool touches(const Turning& turning) const;
   [[nodiscard]] bool touches(Point center, double radius_m) const;
+  /// How far a body that touches no piece can turn before it does.
+  [[nodiscard]] TurningRoom turningRoom(const Prism& body) const;
   void visitTouched(const Prism& body, const Visit& visit) const;
   void visitTouched(const Turning& turning, const Visit& visit) const;
   /// For many bodies: `touched[i]` becomes whether body i touches any piece.

@@ -5,11 +5,6 @@
 
 namespace underway {
 
-double normalizedAngle(double angle_rad) {
-  const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
-  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
-}
-
 double counterClockwise(double from_rad, double to_rad) {
   const double way = std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
   const double positive = way < 0.0 ? way + 2.0 * std::numbers::pi : way;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 namespace underway {
 
 /// A point in the plane of the map frame: x right, y up [m].
@@ -19,7 +22,14 @@ struct Pose {
 };
 
 /// The same angle in (-pi, pi] [rad].
-[[nodiscard]] double normalizedAngle(double angle_rad);
+[[nodiscard]] inline double normalizedAngle(double angle_rad) {
+  constexpr double kPi = std::numbers::pi;
+  if (angle_rad > -kPi && angle_rad <= kPi) return angle_rad;
+  if (std::abs(angle_rad) < 3.0 * kPi)
+    return angle_rad > 0.0 ? angle_rad - 2.0 * kPi : angle_rad + 2.0 * kPi;  // exact
+  const double wrapped = std::remainder(angle_rad, 2.0 * kPi);
+  return wrapped <= -kPi ? kPi : wrapped;
+}
 
 /// The counter-clockwise way from one heading to another, in [0, 2 pi) [rad].
 [[nodiscard]] double counterClockwise(double from_rad, double to_rad);

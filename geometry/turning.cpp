@@ -50,22 +50,29 @@ struct Turning::Arc {
 
   /// Whether it crosses a segment, or passes an end of it within a contact's width.
   [[nodiscard]] bool crosses(Point a, Point b) const {
+    bool does = false;
+    visitCrossings(a, b, [&](Point at) { does |= covers(at); });
+    return does;
+  }
+
+  /// Calls visit(point) where its circle crosses a segment, or passes an end of it within a contact's width.
+  template <class Visit>
+  void visitCrossings(Point a, Point b, const Visit& visit) const {
     const Point along = difference(b, a);
     const double length = norm(along);
-    if (length == 0.0) return false;  // a point: its own arc tells
+    if (length == 0.0) return;  // a point: its own arc tells
     // The line's nearest point to the origin, from the height above it: squares of far corners would round.
     const Point direction = scaled(along, 1.0 / length);
     const double height = cross(a, direction);
-    if (std::abs(height) > radius_m) return false;
+    if (std::abs(height) > radius_m) return;
     const double half_chord = std::sqrt((radius_m - height) * (radius_m + height));
     const double foot_at = -dot(a, direction);
     const Point foot{height * direction.y, -height * direction.x};
     for (const double side : {-half_chord, half_chord}) {
       const double at = foot_at + side;
       if (at < -kContact_m || at > length + kContact_m) continue;
-      if (covers(sum(foot, scaled(direction, side)))) return true;
+      visit(sum(foot, scaled(direction, side)));
     }
-    return false;
   }
 
   /// The nearest that it comes to a segment, if they do not cross.
@@ -137,6 +144,32 @@ bool Turning::touches(ConvexView piece) const {
       if (way.crosses(body[k], body[(k + 1) % 4])) return true;
   }
   return false;
+}
+
+TurningRoom Turning::roomBeside(ConvexView piece) const {
+  constexpr double kRevolution = 2.0 * std::numbers::pi;
+  constexpr double kSlack_rad = 1e-7;  // above what contact and rounding make of an angle
+  const std::array<Point, 4> body = cornersOf({local_[0].x - kContact_m, local_[2].x + kContact_m},
+                                              {local_[0].y - kContact_m, local_[2].y + kContact_m});
+  double first = kRevolution;  // contact counter-clockwise from the heading
+  double last = 0.0;
+  const auto meets = [&](Point from, Point to) {
+    const double way = std::atan2(cross(from, to), dot(from, to));
+    const double angle = way < 0.0 ? way + kRevolution : way;
+    first = std::min(first, angle);
+    last = std::max(last, angle);
+  };
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Point corner = inBody(piece[i]);
+    const Point next = inBody(piece[(i + 1) % piece.size()]);
+    for (const Point begin : body)
+      arcFrom(begin).visitCrossings(corner, next, [&](Point at) { meets(begin, at); });
+    const Arc way = arcTo(corner);  // of the piece's corner, seen from the body
+    if (way.radius_m > outer_m_ + 2.0 * kContact_m) continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      way.visitCrossings(body[k], body[(k + 1) % 4], [&](Point at) { meets(at, corner); });
+  }
+  return {std::max(0.0, first - kSlack_rad), std::max(0.0, kRevolution - last - kSlack_rad)};
 }
 
 Gap Turning::gapTo(ConvexView piece) const {

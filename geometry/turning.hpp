@@ -7,6 +7,12 @@
 
 namespace underway {
 
+/// How far a body can turn from its heading before it meets something, each way; 2 pi at most [rad].
+struct TurningRoom {
+  double left_rad = 0.0;   ///< counter-clockwise
+  double right_rad = 0.0;  ///< clockwise, as a positive number
+};
+
 /// A body that turns about its frame's origin, and everything it covers on the way.
 ///
 /// A convex piece that the body does not touch at first is first met by a corner of one on an edge of the
@@ -31,6 +37,9 @@ class Turning {
   /// The least gap to a piece on the way, and the piece's point it is at. Never above the truth and at most
   /// 3 kContact_m below; 0 exactly when it touches.
   [[nodiscard]] Gap gapTo(ConvexView piece) const;
+  /// Of a whole revolution: how far the body can turn before it touches a piece that it does not touch where
+  /// it is. Never more than it truly can; less by 1e-7 rad or so.
+  [[nodiscard]] TurningRoom roomBeside(ConvexView piece) const;
 
  private:
   struct Arc;

@@ -34,47 +34,63 @@ Cost priorityOf(const Robot& robot, const Plan& plan) {
   return sum;
 }
 
-/// Plans one request on one roadmap: attach, search, shorten, time.
+/// Plans one request on one roadmap: search, shorten, time.
 class Answerer {
  public:
-  Answerer(const Checker& checker, const Request& request, const Attached& attached, Interrupt& interrupt)
-      : checker_(checker),
+  Answerer(const Planning& planning, const Request& request, const Attached& attached, Interrupt& interrupt)
+      : planning_(planning),
+        checker_(planning.checker),
         request_(request),
         attached_(attached),
         interrupt_(interrupt),
-        checks_(attached.roadmap, checker) {
-    const Roadmap& roadmap = attached.roadmap;
-    keeping_.start_m = roadmap.place(roadmap.node(attached.start).place).keep_m;
-    keeping_.goal_m = roadmap.place(attached.goal_place).keep_m;
-    keeping_.any_heading = !attached.goal_node.has_value();
-  }
+        checks_(attached.graph, checker_),
+        keeping_{attached.graph.place(attached.target.start).keep_m,
+                 attached.graph.place(attached.target.goal).keep_m} {}
 
-  /// Each policy takes the best, by its own measure, of what all policies that matter to it have found. So
-  /// priority never crawls further than fastest, and safest never comes closer than fastest, whatever the
-  /// shortcuts do.
+  /// A policy takes the best, by its own measure, of what the policies that matter to it have found. So
+  /// priority never crawls further than fastest, and safest never comes closer than fastest, whatever
+  /// shortening does.
   ///
-  /// Nothing when interrupted before all searches were through: time must not decide which plan is given.
-  /// Shortening is bounded work and is not interrupted by the deadline, for the same reason.
+  /// Nothing when interrupted: time must not decide which plan is given.
   std::optional<Plan> best() {
-    const auto fastest = planBy(Policy::kFastest);
-    if (!fastest) return std::nullopt;
-    const auto by_priority = planBy(Policy::kPriority);
-    if (!by_priority) return std::nullopt;
-    Plan plan = isBetter(*by_priority, *fastest) ? *by_priority : *fastest;
+    if (request_.policy == Policy::kPriority) return bestByPriority();
+    std::optional<Plan> plan = planBy(planning_.fastest);
+    if (!plan) return std::nullopt;
+    takeIfBetter(plan, planBy(planning_.by_priority));
     if (request_.policy == Policy::kSafest) {
       const double clearance = largestClearance();
-      const auto safest =
-          clearance > checker_.robot().margin_m ? planBy(Policy::kFastest, clearance) : std::nullopt;
-      if (safest && isBetter(*safest, plan)) plan = *safest;
-      if (interrupt_.isDueNow()) return std::nullopt;
+      if (clearance > checker_.robot().margin_m)
+        takeIfBetter(plan, planBy(Stances(checker_, Policy::kFastest, clearance)));
     }
-    const bool is_detour = request_.policy == Policy::kPriority &&
-                           plan.total_time_s >= request_.max_detour * fastest->total_time_s &&
-                           plan.total_time_s > fastest->total_time_s;
-    return is_detour ? *fastest : plan;
+    if (interrupt_.isDueNow()) return std::nullopt;
+    return plan;
   }
 
+  [[nodiscard]] Pose nearest() const { return nearest_; }
+
  private:
+  std::optional<Plan> bestByPriority() {
+    std::optional<Plan> plan = planBy(planning_.by_priority);
+    if (!plan || !mayBeBettered(*plan)) return plan;
+    const auto fastest = planBy(planning_.fastest);
+    if (!fastest) return std::nullopt;
+    if (isBetter(*fastest, *plan)) plan = *fastest;
+    const bool is_detour = plan->total_time_s >= request_.max_detour * fastest->total_time_s &&
+                           plan->total_time_s > fastest->total_time_s;
+    return is_detour ? fastest : plan;
+  }
+
+  /// Whether the fastest plan can matter to priority: only against one that leaves the first mode and its
+  /// companions, or that takes far longer than the straight way would.
+  [[nodiscard]] bool mayBeBettered(const Plan& plan) const {
+    const Stances& stances = planning_.by_priority;
+    for (const Segment& segment : plan.segments)
+      if (stances.groupOf(segment.motion.mode) != stances.groupOf(0)) return true;
+    const double way_m = distance(request_.start.position(), request_.goal);
+    const double least_s = way_m / planning_.fastest.highestSpeed();
+    return plan.total_time_s > 0.0 && plan.total_time_s >= request_.max_detour * least_s;
+  }
+
   [[nodiscard]] bool isBetter(const Plan& a, const Plan& b) const {
     if (request_.policy == Policy::kPriority)
       return priorityOf(checker_.robot(), a) < priorityOf(checker_.robot(), b);
@@ -83,38 +99,47 @@ class Answerer {
     return a.total_time_s < b.total_time_s;
   }
 
-  std::optional<Route> routeBy(Policy policy, double at_least_m) {
-    const Target target{attached_.start, attached_.goal_place, attached_.goal_node, policy, at_least_m};
-    return search(attached_.roadmap, checker_.robot(), checks_, target, interrupt_);
+  void takeIfBetter(std::optional<Plan>& plan, const std::optional<Plan>& other) const {
+    if (other && isBetter(*other, *plan)) plan = other;
   }
 
-  std::optional<Plan> planBy(Policy policy, double at_least_m = 0.0) {
-    auto route = routeBy(policy, at_least_m);
-    if (!route) return std::nullopt;
-    Keeping keeping = keeping_;
-    keeping.at_least_m = at_least_m;
-    Interrupt stopped(Interrupt::Clock::time_point::max(), interrupt_.stop());
-    return planOf(checker_, shortened(checker_, policy, std::move(*route), keeping, stopped), request_.start);
+  std::optional<Passage> passageBy(const Stances& stances) {
+    return search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_,
+                  &nearest_);
+  }
+
+  std::optional<Plan> planBy(const Stances& stances) {
+    auto passage = passageBy(stances);
+    if (!passage) return std::nullopt;
+    const Route shortest = routeOf(shortened(checker_, stances, *passage, keeping_, interrupt_));
+    if (interrupt_.isDueNow()) return std::nullopt;
+    const Route route = joined(checker_, shortest.empty() ? routeOf(*passage) : shortest);
+    return planOf(checker_, route, request_.start);
   }
 
   /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.
   double largestClearance() {
+    const auto is_kept = [&](double clearance_m) {
+      return passageBy(Stances(checker_, Policy::kFastest, clearance_m)).has_value();
+    };
     double has = checker_.robot().margin_m;
     double lacks = kEnoughClearance_m;
-    if (has >= lacks || routeBy(Policy::kFastest, lacks)) return lacks;
+    if (has >= lacks || is_kept(lacks)) return lacks;
     while (lacks - has > kClearanceStep_m && !interrupt_.isDueNow()) {
       const double middle = 0.5 * (has + lacks);
-      (routeBy(Policy::kFastest, middle) ? has : lacks) = middle;
+      (is_kept(middle) ? has : lacks) = middle;
     }
     return has;
   }
 
+  const Planning& planning_;
   const Checker& checker_;
   const Request& request_;
   const Attached& attached_;
   Interrupt& interrupt_;
-  EdgeChecks checks_;
+  LinkChecks checks_;
   Keeping keeping_;
+  Pose nearest_;
 };
 
 /// What a certificate says of a plan that must not be given out.
@@ -131,24 +156,26 @@ double microsecondsSince(Interrupt::Clock::time_point start) {
 
 }  // namespace
 
-Expected<std::optional<Plan>> answer(const Checker& checker, std::shared_ptr<const Roadmap> roadmap,
-                                     const Request& request, Interrupt& interrupt) {
-  std::optional<Error> fault;
+Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& request,
+              Interrupt& interrupt) {
+  Answer result;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
     const auto started = Interrupt::Clock::now();
-    const auto attached = attach(checker, roadmap, request, effort, interrupt);
-    auto plan = attached ? Answerer(checker, request, *attached, interrupt).best() : std::nullopt;
+    const auto attached = attach(planning.checker, planning.fastest, roadmap, request, effort, interrupt);
+    if (!attached) break;
+    Answerer answerer(planning, request, *attached, interrupt);
+    auto plan = answerer.best();
+    result.nearest = answerer.nearest();
     if (!plan) continue;
     plan->stats = {
-        roadmap->nodes.size(), roadmap->edges.size(), roadmap->batches, 0.0, microsecondsSince(started), 0.0};
+        roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
     const auto planned = Interrupt::Clock::now();
-    const std::vector<Flaw> flaws = certify(*plan, request, checker);
+    const std::vector<Flaw> flaws = certify(*plan, request, planning.checker);
     plan->stats.certify_us = microsecondsSince(planned);
-    if (flaws.empty()) return plan;
-    fault = faultOf(flaws.front());
+    if (flaws.empty()) return {std::move(plan), std::nullopt, std::nullopt};
+    result.fault = faultOf(flaws.front());
   }
-  if (fault) return tl::unexpected(*fault);
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace underway

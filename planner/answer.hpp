@@ -1,11 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "planner/interrupt.hpp"
 #include "planner/plan.hpp"
 #include "planner/roadmap.hpp"
+#include "planner/stances.hpp"
 
 namespace underway {
 
@@ -13,10 +13,23 @@ namespace underway {
 /// have, start or goal out of bounds or in collision (and with what).
 [[nodiscard]] std::optional<Error> refusal(const Checker& checker, const Request& request);
 
-/// A certified plan from one roadmap, or nothing when the roadmap holds none or it was interrupted. kInternal
-/// if a plan fails its certificate, which is then not given out.
-[[nodiscard]] Expected<std::optional<Plan>> answer(const Checker& checker,
-                                                   std::shared_ptr<const Roadmap> roadmap,
-                                                   const Request& request, Interrupt& interrupt);
+/// What answers need of the robot in a world, made once.
+struct Planning {
+  const Checker& checker;
+  Stances fastest;
+  Stances by_priority;
+
+  explicit Planning(const Checker& c)
+      : checker(c), fastest(c, Policy::kFastest), by_priority(c, Policy::kPriority) {}
+};
+
+/// What came of a try on one roadmap.
+struct Answer {
+  std::optional<Plan> plan;     ///< certified; empty when the roadmap holds none or it was interrupted
+  std::optional<Error> fault;   ///< kInternal: a plan failed its certificate and is not given out
+  std::optional<Pose> nearest;  ///< without a plan: the pose nearest the goal that was reached
+};
+[[nodiscard]] Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& request,
+                            Interrupt& interrupt);
 
 }  // namespace underway

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/draft.hpp"
 #include "planner/rails.hpp"
 #include "planner/sites.hpp"
 
@@ -30,64 +29,56 @@ struct End {
   ModeId mode;
   Pose pose;
   bool has_heading;
-  std::vector<PlaceId> places;  // in `mode` first, then in its companions
+  PlaceId place = 0;
 };
 
 class Attachment {
  public:
-  Attachment(const Checker& checker, std::shared_ptr<const Roadmap> roadmap)
+  Attachment(const Checker& checker, const Stances& stances, const Roadmap& roadmap)
       : checker_(checker),
         robot_(checker.robot()),
+        stances_(stances),
         base_(roadmap),
-        draft_(robot_, std::move(roadmap)),
-        sites_(checker, draft_, Draft::Check::kWhenUsed),
+        draft_(&roadmap),
+        sites_(stances, draft_, Sites::Check::kWhenUsed),
         rails_(checker, draft_, sites_) {}
 
   std::optional<Attached> attach(const Request& request, Effort effort, Interrupt& interrupt) {
-    End start = startOf(request);
+    End start{End::Side::kStart, request.start_mode, request.start, true};
+    start.place = sites_.add(start.mode, start.pose.position(), keepOf(start));
     End goal = goalOf(request, start);
-    for (End* end : {&start, &goal}) {
-      connectToRoadmap(end->places, effort == Effort::kNearest ? kNeighbours : kAllNeighbours);
+    for (const End* end : {&start, &goal}) {
+      connectToRoadmap(end->place, effort == Effort::kNearest ? kNeighbours : kAllNeighbours);
       leaveTightPlace(*end);
       followLine(*end);
       changeMode(*end);
       if (effort == Effort::kLocalRoadmap) addLocalRoadmap(*end);
-      if (interrupt.isDue()) return std::nullopt;
+      if (interrupt.isDueNow()) return std::nullopt;
     }
     join(start, goal);
-    auto roadmap = draft_.freeze(checker_, Draft::Check::kWhenUsed, interrupt);
-    if (!roadmap) return std::nullopt;
-    Attached result{std::move(*roadmap), 0, goal.places[0], std::nullopt};
-    result.start = *findNode(result.roadmap, start.places[0], start.pose.yaw);
-    if (goal.has_heading) result.goal_node = *findNode(result.roadmap, goal.places[0], goal.pose.yaw);
-    return result;
+    const Target target{
+        start.place, {start.pose.yaw, start.mode}, goal.place, {goal.pose.yaw, goal.mode}, !goal.has_heading};
+    return Attached{std::move(draft_), target};
   }
 
  private:
-  End startOf(const Request& request) {
-    End start{End::Side::kStart, request.start_mode, request.start, true, {}};
-    addPlaces(start);
-    return start;
-  }
-
   End goalOf(const Request& request, const End& start) {
     End goal{End::Side::kGoal,
              request.goal_mode,
              {request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)},
-             request.goal_yaw.has_value(),
-             {}};
-    if (const auto ahead = goalOnLineOf(start, goal)) goal.pose = *ahead, goal.has_heading = true;
-    if (distance(start.pose.position(), goal.pose.position()) < kSamePlace_m) {
-      const auto here = std::find_if(start.places.begin(), start.places.end(),
-                                     [&](PlaceId place) { return draft_.modeOf(place) == goal.mode; });
-      if (here != start.places.end()) {
-        goal.places = {*here};
-        draft_.keepLess(*here, keepOf(goal));
-        if (goal.has_heading) draft_.addHeading(*here, goal.pose.yaw);
-        return goal;
-      }
+             request.goal_yaw.has_value()};
+    if (const auto ahead = goalOnLineOf(start, goal)) {
+      goal.pose = *ahead;
+      goal.has_heading = true;
     }
-    addPlaces(goal);
+    const bool is_here = distance(start.pose.position(), goal.pose.position()) < kSamePlace_m &&
+                         stances_.groupOf(start.mode) == stances_.groupOf(goal.mode);
+    if (is_here) {
+      goal.place = start.place;
+      draft_.keepLess(goal.place, keepOf(goal));
+    } else {
+      goal.place = sites_.add(goal.mode, goal.pose.position(), keepOf(goal));
+    }
     return goal;
   }
 
@@ -126,21 +117,19 @@ class Attachment {
     return keep;
   }
 
-  void addPlaces(End& end) {
-    end.places = sites_.add(end.mode, end.pose.position(), keepOf(end));
-    if (end.has_heading) draft_.addHeading(end.places[0], end.pose.yaw);
+  void connectToRoadmap(PlaceId place, std::size_t most) {
+    const GroupId group = draft_.place(place).group;
+    if (stances_.ofGroup(group).ways().empty()) return;
+    std::vector<PlaceId> neighbours = base_.main_index.nearest(group, draft_.place(place).at, most);
+    if (base_.main_index.size() < base_.index.size())
+      for (const PlaceId other : base_.index.nearest(group, draft_.place(place).at, most))
+        if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
+          neighbours.push_back(other);
+    for (const PlaceId neighbour : neighbours) sites_.connect(place, neighbour);
   }
 
   void connectToRoadmap(const std::vector<PlaceId>& places, std::size_t most) {
-    for (const PlaceId place : places) {
-      const ModeId mode = draft_.modeOf(place);
-      if (!robot_.modes[mode].canTurn()) continue;
-      std::vector<PlaceId> neighbours = base_->main_index.nearest(mode, draft_.positionOf(place), most);
-      for (const PlaceId other : base_->index.nearest(mode, draft_.positionOf(place), most))
-        if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
-          neighbours.push_back(other);
-      for (const PlaceId neighbour : neighbours) sites_.connect(place, neighbour);
-    }
+    for (const PlaceId place : places) connectToRoadmap(place, most);
   }
 
   /// A grid in the end's own frame, joined along its rows and columns at the end's heading, as one parks a
@@ -148,112 +137,103 @@ class Attachment {
   void addLocalRoadmap(const End& end) {
     if (!robot_.modes[end.mode].canTurn()) return;
     constexpr std::size_t kCount = kGrid_m.size();
-    std::vector<std::vector<PlaceId>> grid;
+    std::vector<PlaceId> grid;
     for (const double y : kGrid_m) {
       for (const double x : kGrid_m) {
         const bool is_end = x == 0.0 && y == 0.0;
-        grid.push_back(is_end ? end.places
+        grid.push_back(is_end ? end.place
                               : sites_.add(end.mode, transform(end.pose, {x, y}), robot_.margin_m));
         if (!is_end) connectToRoadmap(grid.back(), kNeighboursOfHelpers);
       }
     }
     for (std::size_t i = 0; i < grid.size(); ++i) {
-      if (i % kCount + 1 < kCount) joinAlong(grid[i], grid[i + 1], end.pose.yaw, Sense::kForward);
-      if (i + kCount < grid.size()) joinAlong(grid[i], grid[i + kCount], end.pose.yaw, Sense::kLeft);
+      if (i % kCount + 1 < kCount) sites_.connect(grid[i], grid[i + 1]);
+      if (i + kCount < grid.size()) sites_.connect(grid[i], grid[i + kCount]);
     }
   }
 
-  void joinAlong(const std::vector<PlaceId>& from, const std::vector<PlaceId>& to, double yaw, Sense sense) {
-    for (const PlaceId a : from)
-      for (const PlaceId b : to)
-        if (draft_.modeOf(a) == draft_.modeOf(b)) draft_.addTranslation(a, b, yaw, sense);
-  }
-
-  /// Where the body cannot turn, connections at other headings fail: go straight first.
+  /// Where the body cannot turn, legs at other headings fail: go straight first.
   void leaveTightPlace(const End& end) {
     if (!end.has_heading) return;
-    for (const PlaceId place : end.places) {
-      const ModeId mode = draft_.modeOf(place);
-      const Mode& moving = robot_.modes[mode];
-      if (!moving.canTurn() || checker_.isFreeAllRound(mode, end.pose.position(), robot_.margin_m)) continue;
-      for (const Sense sense : kSenses) {
-        if (!moving.canMove(sense) && !moving.canMove(opposite(sense))) continue;
-        connectToRoadmap(rails_.addWayOut(place, sense, end.pose), kNeighboursOfHelpers);
-      }
-    }
+    if (stances_.ofMode(end.mode).turnsFreely(end.pose.position(), robot_.margin_m)) return;
+    for (const Way& way : stances_.ofMode(end.mode).ways())
+      connectToRoadmap(rails_.addWayOut(end.place, way.mode, way.sense, end.pose), kNeighboursOfHelpers);
   }
 
   /// A mode that cannot turn leaves a start ahead and comes to a goal from behind.
   void followLine(const End& end) {
     if (robot_.modes[end.mode].canTurn()) return;
-    for (const Pose& pose : posesOf(end)) followLine(end.side, end.places[0], pose);
+    for (const Pose& pose : posesOf(end)) followLine(end, end.mode, pose, {});
   }
 
-  void followLine(End::Side side, PlaceId place, const Pose& pose) {
+  /// `beside`: the motions between the end's pose and the line.
+  void followLine(const End& end, ModeId mode, const Pose& pose, const Route& beside) {
     for (const Sense sense : kSenses) {
-      if (!robot_.modes[draft_.modeOf(place)].canMove(sense)) continue;
-      connectToRoadmap(side == End::Side::kStart ? rails_.addExits(place, sense, pose)
-                                                 : rails_.addEntries(place, sense, pose),
+      if (!robot_.modes[mode].canMove(sense)) continue;
+      connectToRoadmap(end.side == End::Side::kStart
+                           ? rails_.addExits(end.place, mode, sense, pose, beside)
+                           : rails_.addEntries(end.place, mode, sense, pose, beside),
                        kNeighboursOfHelpers);
     }
   }
 
-  /// Switches out of the start's mode right there, and into the goal's; those between companions are theirs
-  /// already. A goal that leaves its heading open needs this only if its mode cannot turn: else it turns to
-  /// where a switch is.
+  /// Switches out of the start's mode right there, and into the goal's; those between companions need none of
+  /// this. A goal that leaves its heading open needs it only if its mode cannot turn: else it turns to where
+  /// a switch is.
   void changeMode(const End& end) {
     if (!end.has_heading && robot_.modes[end.mode].canTurn()) return;
-    const std::vector<ModeId> companions = companionsOf(robot_)[end.mode];
     for (const Switch& change : robot_.switches) {
       const bool is_start = end.side == End::Side::kStart;
-      if ((is_start ? change.from : change.to) != end.mode) continue;
-      const ModeId other_mode = is_start ? change.to : change.from;
-      if (std::find(companions.begin(), companions.end(), other_mode) != companions.end()) continue;
+      const GroupId group = stances_.groupOf(end.mode);
+      if (stances_.groupOf(is_start ? change.from : change.to) != group) continue;
+      if (stances_.groupOf(is_start ? change.to : change.from) == group) continue;
       for (const Pose& pose : posesOf(end)) changeMode(end, pose, change);
     }
   }
 
   void changeMode(const End& end, const Pose& pose, const Switch& change) {
     const bool is_start = end.side == End::Side::kStart;
-    const double keep = draft_.keepOf(end.places[0]);
+    const double keep = draft_.place(end.place).keep_m;
     const Pose other = is_start ? compose(pose, change.displacement) : before(pose, change.displacement);
-    if (!isFreeKeeping(checker_, switchModes(change, is_start ? pose : other), keep)) return;
-    const bool is_here = other.position() == pose.position();
-    const auto places =
-        sites_.add(is_start ? change.to : change.from, other.position(), is_here ? keep : robot_.margin_m);
-    if (is_start)
-      draft_.addSwitch(end.places[0], pose.yaw, places[0], other.yaw);
-    else
-      draft_.addSwitch(places[0], other.yaw, end.places[0], pose.yaw);
-    connectToRoadmap(places, kNeighboursOfHelpers);
-    followLine(end.side, places[0], other);
-  }
-
-  /// Straight from start to goal, in every mode both have.
-  void join(const End& start, const End& goal) {
-    for (const PlaceId a : start.places)
-      for (const PlaceId b : goal.places)
-        if (a != b && draft_.modeOf(a) == draft_.modeOf(b)) joinPlaces(start, goal, a, b);
-  }
-
-  void joinPlaces(const End& start, const End& goal, PlaceId a, PlaceId b) {
-    const Mode& mode = robot_.modes[draft_.modeOf(a)];
-    if (mode.canTurn()) {
-      sites_.connect(a, b);
+    Motion motion = switchModes(change, is_start ? pose : other);
+    if (!is_start) motion.to = pose;
+    if (!isFreeKeeping(checker_, motion, keep)) return;
+    const ModeId other_mode = is_start ? change.to : change.from;
+    if (!robot_.modes[other_mode].canTurn()) {
+      followLine(end, other_mode, other, {motion});
       return;
     }
+    const bool is_here = other.position() == pose.position();
+    const PlaceId place = sites_.add(other_mode, other.position(), is_here ? keep : robot_.margin_m);
+    draft_.addCrossing(is_start ? end.place : place, is_start ? place : end.place,
+                       Crossing(robot_, {motion}));
+    connectToRoadmap(place, kNeighboursOfHelpers);
+  }
+
+  /// Straight from start to goal.
+  void join(const End& start, const End& goal) {
+    if (start.place == goal.place || stances_.groupOf(start.mode) != stances_.groupOf(goal.mode)) return;
+    if (robot_.modes[start.mode].canTurn()) {
+      sites_.connect(start.place, goal.place);
+      return;
+    }
+    const double way = distance(start.pose.position(), goal.pose.position());
     for (const Sense sense : kSenses) {  // without turning: only if the goal lies on the start's line
-      const double way = distance(start.pose.position(), goal.pose.position());
-      const Motion ahead = translate(start.mode, sense, start.pose, way);
-      if (mode.canMove(sense) && goal.has_heading && goal.pose.yaw == start.pose.yaw &&
-          distance(ahead.to.position(), goal.pose.position()) < 1e-10)
-        draft_.addTranslation(a, b, start.pose.yaw, sense);
+      Motion ahead = translate(start.mode, sense, start.pose, way);
+      if (!robot_.modes[start.mode].canMove(sense) || !goal.has_heading || goal.pose.yaw != start.pose.yaw ||
+          distance(ahead.to.position(), goal.pose.position()) >= 1e-10)
+        continue;
+      ahead.to = goal.pose;
+      const double keep_m = std::min(draft_.place(start.place).keep_m, draft_.place(goal.place).keep_m);
+      if (isFreeKeeping(checker_, ahead, keep_m))
+        draft_.addCrossing(start.place, goal.place, Crossing(robot_, {ahead}));
     }
   }
 
   const Checker& checker_;
   const Robot& robot_;
-  std::shared_ptr<const Roadmap> base_;
+  const Stances& stances_;
+  const Roadmap& base_;
   Draft draft_;
   Sites sites_;
   Rails rails_;
@@ -261,9 +241,9 @@ class Attachment {
 
 }  // namespace
 
-std::optional<Attached> attach(const Checker& checker, std::shared_ptr<const Roadmap> roadmap,
+std::optional<Attached> attach(const Checker& checker, const Stances& stances, const Roadmap& roadmap,
                                const Request& request, Effort effort, Interrupt& interrupt) {
-  return Attachment(checker, std::move(roadmap)).attach(request, effort, interrupt);
+  return Attachment(checker, stances, roadmap).attach(request, effort, interrupt);
 }
 
 }  // namespace underway

@@ -23,7 +23,13 @@ class Cost {
   /// More than any route costs.
   static constexpr Cost most() { return Cost(~Bits{0}); }
 
-  constexpr Cost operator+(Cost other) const { return Cost(bits_ + other.bits_); }
+  /// Never more than `most`.
+  constexpr Cost operator+(Cost other) const {
+    const Bits sum = bits_ + other.bits_;
+    return Cost(sum < bits_ ? ~Bits{0} : sum);
+  }
+  /// Of a larger one.
+  constexpr Cost operator-(Cost other) const { return Cost(bits_ - other.bits_); }
   constexpr auto operator<=>(const Cost&) const = default;
   [[nodiscard]] constexpr std::uint64_t us() const {
     return static_cast<std::uint64_t>(bits_) & ((1ULL << 40) - 1);

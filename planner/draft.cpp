@@ -2,89 +2,130 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "planner/freezer.hpp"
+#include <numeric>
+#include <optional>
 
 namespace underway {
 
-Draft::Draft(const Robot& robot, std::shared_ptr<const Roadmap> base)
-    : robot_(robot),
-      base_(std::move(base)),
-      first_own_(base_ ? static_cast<PlaceId>(base_->places.size()) : 0) {}
+using LinkId = Roadmap::LinkId;
+using PlaceId = Roadmap::PlaceId;
 
-Draft::PlaceId Draft::addPlace(ModeId mode, Point at, double keep_m) {
-  own_.push_back({Roadmap::Place{at, mode, keep_m, 0, 0}, {}, placeCount()});
+Draft::Draft(const Roadmap* base)
+    : base_(base),
+      first_place_(base ? static_cast<PlaceId>(base->places.size()) : 0),
+      first_link_(base ? static_cast<LinkId>(base->links.size()) : 0),
+      first_crossing_(base ? static_cast<std::uint32_t>(base->crossings.size()) : 0),
+      out_(first_place_, Roadmap::kNone),
+      crossings_in_(first_place_, Roadmap::kNone),
+      last_out_(first_place_, Roadmap::kNone) {}
+
+PlaceId Draft::addPlace(GroupId group, Point at, double keep_m) {
+  parents_.push_back(placeCount());
+  places_.push_back({at, group, false, keep_m, 0, 0});
+  out_.push_back(Roadmap::kNone);
+  crossings_in_.push_back(Roadmap::kNone);
+  last_out_.push_back(Roadmap::kNone);
   return placeCount() - 1;
 }
 
 void Draft::keepLess(PlaceId place, double keep_m) {
-  double& keep = own_[place - first_own_].place.keep_m;
+  double& keep = places_[place - first_place_].keep_m;
   keep = std::min(keep, keep_m);
 }
 
-std::vector<double>& Draft::headingsOf(PlaceId place) {
-  return place < first_own_ ? base_headings_[place] : own_[place - first_own_].headings;
-}
-
-void Draft::addHeading(PlaceId place, double yaw) {
-  std::vector<double>& headings = headingsOf(place);
-  if (std::find(headings.begin(), headings.end(), yaw) == headings.end()) headings.push_back(yaw);
-}
-
-void Draft::addTranslation(PlaceId a, PlaceId b, double yaw, Sense sense) {
-  const Mode& mode = robot_.modes[modeOf(a)];
-  if (mode.canMove(sense)) addLink({MotionKind::kTranslate, a, b, yaw, yaw, sense});
-  if (mode.canMove(opposite(sense))) addLink({MotionKind::kTranslate, b, a, yaw, yaw, opposite(sense)});
-  addHeading(a, yaw);
-  addHeading(b, yaw);
-}
-
-void Draft::addSwitch(PlaceId from, double from_yaw, PlaceId to, double to_yaw) {
-  addLink({MotionKind::kSwitch, from, to, from_yaw, to_yaw, Sense::kForward});
-  addHeading(from, from_yaw);
-  addHeading(to, to_yaw);
-}
-
-void Draft::addTwins(PlaceId first, PlaceId second) {
-  twins_.emplace_back(first, second);
-  join(first, second);
-}
-
-void Draft::addLink(const Link& link) {
+LinkId Draft::addLink(const Roadmap::Link& link, Ways ways, bool is_checked) {
+  const LinkId id = linkCount();
   links_.push_back(link);
-  join(link.from, link.to);
+  ways_.push_back(ways);
+  is_checked_.push_back(is_checked ? 1 : 0);
+  next_out_.push_back(Roadmap::kNone);
+  next_in_.push_back(Roadmap::kNone);
+  LinkId& last = last_out_[link.from];
+  (last == Roadmap::kNone ? out_[link.from] : next_out_[last - first_link_]) = id;
+  last = id;
+  if (link.crossing != Roadmap::kNone) {
+    next_in_.back() = crossings_in_[link.to];
+    crossings_in_[link.to] = id;
+  }
+  if (ways != 0) join(link.from, link.to);
+  return id;
+}
+
+void Draft::addLegs(PlaceId a, PlaceId b, const WaysOf& there, const WaysOf& back, bool are_checked) {
+  const Point from = place(a).at;
+  const Point to = place(b).at;
+  const double way_m = distance(from, to);
+  const LinkId first = linkCount();
+  addLink({a, b, first + 1, Roadmap::kNone, std::atan2(to.y - from.y, to.x - from.x), way_m, there.tried},
+          there.free, are_checked);
+  addLink({b, a, first, Roadmap::kNone, std::atan2(from.y - to.y, from.x - to.x), way_m, back.tried},
+          back.free, are_checked);
+}
+
+void Draft::addCrossing(PlaceId from, PlaceId to, Crossing crossing) {
+  const auto index = first_crossing_ + static_cast<std::uint32_t>(crossings_.size());
+  crossings_.push_back(std::move(crossing));
+  addLink({from, to, Roadmap::kNone, index, 0.0, 0.0, 1}, 1, true);
 }
 
 void Draft::join(PlaceId a, PlaceId b) {
-  if (a < first_own_ || b < first_own_) return;  // the base's places are joined as they are
-  own_[rootOf(a) - first_own_].parent = rootOf(b);
+  if (a < first_place_ || b < first_place_) return;  // the base's places are joined as they are
+  parents_[rootOf(a) - first_place_] = rootOf(b);
 }
 
-Draft::PlaceId Draft::rootOf(PlaceId place) {
-  const auto parent = [&](PlaceId of) -> PlaceId& { return own_[of - first_own_].parent; };
+PlaceId Draft::rootOf(PlaceId place) {
+  const auto parent = [&](PlaceId of) -> PlaceId& { return parents_[of - first_place_]; };
   while (parent(place) != place)
     place = parent(place) = parent(parent(place));  // halves the way for the next time
   return place;
 }
 
-std::optional<double> Draft::headingNear(PlaceId place, double yaw, double tolerance_rad) const {
-  const auto is_near = [&](double heading) {
-    return std::abs(normalizedAngle(heading - yaw)) <= tolerance_rad;
-  };
-  const auto find_in = [&](const std::vector<double>& headings) -> std::optional<double> {
-    const auto found = std::find_if(headings.begin(), headings.end(), is_near);
-    return found == headings.end() ? std::nullopt : std::optional(*found);
-  };
-  if (place >= first_own_) return find_in(own_[place - first_own_].headings);
-  const Roadmap::Place& frozen = base_->places[place];
-  for (Roadmap::NodeId node = frozen.first_node; node < frozen.end_node; ++node)
-    if (is_near(base_->nodes[node].pose.yaw)) return base_->nodes[node].pose.yaw;
-  const auto added = base_headings_.find(place);
-  return added == base_headings_.end() ? std::nullopt : find_in(added->second);
+Roadmap Draft::freeze(std::span<const underway::Legs> legs) const {
+  Roadmap roadmap;
+  roadmap.places = places_;
+  roadmap.crossings = crossings_;
+  roadmap.links.reserve(links_.size());
+  std::vector<LinkId> renumbered(links_.size());
+  for (PlaceId place = 0; place < places_.size(); ++place) {
+    Roadmap::Place& here = roadmap.places[place];
+    here.turns_freely = legs[here.group].turnsFreely(here.at, here.keep_m);
+    here.first_link = static_cast<LinkId>(roadmap.links.size());
+    forEachLinkFrom(place, [&](LinkId link) {
+      renumbered[link] = static_cast<LinkId>(roadmap.links.size());
+      roadmap.links.push_back(links_[link]);
+      roadmap.ways.push_back(ways_[link]);
+    });
+    here.end_link = static_cast<LinkId>(roadmap.links.size());
+  }
+  roadmap.first_in.assign(places_.size() + 1, 0);
+  for (Roadmap::Link& link : roadmap.links) {
+    if (link.twin != Roadmap::kNone) link.twin = renumbered[link.twin];
+    if (link.crossing != Roadmap::kNone) ++roadmap.first_in[link.to + 1];
+  }
+  std::partial_sum(roadmap.first_in.begin(), roadmap.first_in.end(), roadmap.first_in.begin());
+  roadmap.crossings_in.resize(roadmap.first_in.back());
+  std::vector<std::uint32_t> next(roadmap.first_in.begin(), roadmap.first_in.end() - 1);
+  for (LinkId link = 0; link < roadmap.links.size(); ++link)
+    if (roadmap.links[link].crossing != Roadmap::kNone)
+      roadmap.crossings_in[next[roadmap.links[link].to]++] = link;
+  indexPlaces(roadmap);
+  roadmap.count();
+  return roadmap;
 }
 
-std::optional<Roadmap> Draft::freeze(const Checker& checker, Check check, Interrupt& interrupt) const {
-  return Freezer(*this, checker, check, interrupt).freeze();
+void Draft::indexPlaces(Roadmap& roadmap) const {
+  constexpr std::uint32_t kSmallPart = 12;
+  Draft forest = *this;
+  std::vector<std::uint32_t> count(places_.size(), 0);
+  for (PlaceId place = 0; place < places_.size(); ++place) ++count[forest.rootOf(place)];
+  std::vector<PlaceIndex::Entry> all;
+  std::vector<PlaceIndex::Entry> in_large_parts;
+  for (PlaceId id = 0; id < places_.size(); ++id) {
+    all.push_back({places_[id].at, places_[id].group, id});
+    if (count[forest.rootOf(id)] >= kSmallPart) in_large_parts.push_back(all.back());
+  }
+  roadmap.index = PlaceIndex(std::move(all));
+  roadmap.main_index = PlaceIndex(std::move(in_large_parts));
 }
 
 }  // namespace underway

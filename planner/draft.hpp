@@ -1,89 +1,103 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
-#include "geometry/checker.hpp"
-#include "planner/interrupt.hpp"
+#include "planner/legs.hpp"
 #include "planner/roadmap.hpp"
 
 namespace underway {
 
-/// A roadmap under construction: places, and the connections between them. Freezing it works out the
-/// headings, the turns between them and the directed edges.
-///
-/// A draft may lie over a frozen roadmap; the base's places can then be connected to like its own.
+/// A roadmap under construction. A draft may lie over a frozen roadmap, for one query: ids below the base's
+/// counts are the base's own, and its places can be linked to like the draft's.
 class Draft {
  public:
   using PlaceId = Roadmap::PlaceId;
+  using LinkId = Roadmap::LinkId;
+  using Ways = Roadmap::Ways;
 
-  Draft(const Robot& robot, std::shared_ptr<const Roadmap> base = nullptr);
+  /// The base must outlive it.
+  explicit Draft(const Roadmap* base = nullptr);
 
-  /// A position in a mode, with no heading yet. Motions there keep `keep_m`.
-  PlaceId addPlace(ModeId mode, Point at, double keep_m);
+  PlaceId addPlace(GroupId group, Point at, double keep_m);
   /// Lowers what is kept at a place: where a goal is, a start may be too.
   void keepLess(PlaceId place, double keep_m);
-  /// A heading that is not there for a connection's sake: a start's or a goal's.
-  void addHeading(PlaceId place, double yaw);
-  /// Translations between two places of one mode at a heading, in `sense` from a to b and back again the
-  /// opposite way, as far as the mode has these senses.
-  void addTranslation(PlaceId a, PlaceId b, double yaw, Sense sense);
-  /// A switch from a heading of one place to a heading of another.
-  void addSwitch(PlaceId from, double from_yaw, PlaceId to, double to_yaw);
-  /// Two places at one position, in modes that change into each other where they stand: each connection of
-  /// the second is also a heading of the first, with a switch there.
-  void addTwins(PlaceId first, PlaceId second);
+  struct WaysOf {
+    Ways tried = 0;
+    Ways free = 0;
+  };
+  /// Links both ways between two places at different positions. `are_checked`: `free` is known; else it is to
+  /// be found out by who wants to use them.
+  void addLegs(PlaceId a, PlaceId b, const WaysOf& there, const WaysOf& back, bool are_checked);
+  void addCrossing(PlaceId from, PlaceId to, Crossing crossing);
 
-  [[nodiscard]] ModeId modeOf(PlaceId place) const { return at(place).mode; }
-  [[nodiscard]] Point positionOf(PlaceId place) const { return at(place).at; }
-  [[nodiscard]] double keepOf(PlaceId place) const { return at(place).keep_m; }
-  [[nodiscard]] PlaceId placeCount() const { return first_own_ + static_cast<PlaceId>(own_.size()); }
-  /// Whether connections lead from one place to the other, taken both ways. Of the draft's own places.
+  [[nodiscard]] const Roadmap* base() const { return base_; }
+  [[nodiscard]] PlaceId placeCount() const { return first_place_ + static_cast<PlaceId>(places_.size()); }
+  [[nodiscard]] LinkId linkCount() const { return first_link_ + static_cast<LinkId>(links_.size()); }
+  [[nodiscard]] const Roadmap::Place& place(PlaceId id) const {
+    return id < first_place_ ? base_->places[id] : places_[id - first_place_];
+  }
+  [[nodiscard]] const Roadmap::Link& link(LinkId id) const {
+    return id < first_link_ ? base_->links[id] : links_[id - first_link_];
+  }
+  /// The ways that are free, or may be.
+  [[nodiscard]] Ways ways(LinkId id) const {
+    return id < first_link_ ? base_->ways[id] : ways_[id - first_link_];
+  }
+  [[nodiscard]] bool isChecked(LinkId id) const { return id < first_link_ || is_checked_[id - first_link_]; }
+  [[nodiscard]] const Crossing& crossing(const Roadmap::Link& link) const {
+    return link.crossing < first_crossing_ ? base_->crossings[link.crossing]
+                                           : crossings_[link.crossing - first_crossing_];
+  }
+  /// Calls visit(id) for all links that leave a place, and for all crossings that lead to it.
+  template <class Visit>
+  void forEachLinkFrom(PlaceId id, const Visit& visit) const {
+    if (id < first_place_)
+      for (LinkId link = base_->places[id].first_link; link < base_->places[id].end_link; ++link) visit(link);
+    for (LinkId link = firstOf(out_, id); link != Roadmap::kNone; link = next_out_[link - first_link_])
+      visit(link);
+  }
+  template <class Visit>
+  void forEachCrossingTo(PlaceId id, const Visit& visit) const {
+    if (id < first_place_)
+      for (std::uint32_t i = base_->first_in[id]; i < base_->first_in[id + 1]; ++i)
+        visit(base_->crossings_in[i]);
+    for (LinkId link = firstOf(crossings_in_, id); link != Roadmap::kNone;
+         link = next_in_[link - first_link_])
+      visit(link);
+  }
+  /// Whether links lead from one place to the other, taken both ways. Of the draft's own places.
   [[nodiscard]] bool areJoined(PlaceId a, PlaceId b) { return rootOf(a) == rootOf(b); }
-  /// A heading the place already has that differs by no more than a tolerance [rad], to be used in place of a
-  /// new one.
-  [[nodiscard]] std::optional<double> headingNear(PlaceId place, double yaw, double tolerance_rad) const;
 
-  /// When connections are checked: before the roadmap is made, or by the search that wants to use them.
-  enum class Check { kNow, kWhenUsed };
-  /// The roadmap. With kNow whoever added a translation has checked it, and turns and switches are checked
-  /// here and left out if they are not free; with kWhenUsed nothing is. Empty when interrupted.
-  [[nodiscard]] std::optional<Roadmap> freeze(const Checker& checker, Check check,
-                                              Interrupt& interrupt) const;
+  /// `legs`: by group. The roadmap, for a draft without a base whose links are all checked.
+  [[nodiscard]] Roadmap freeze(std::span<const underway::Legs> legs) const;
 
  private:
-  struct Link {
-    MotionKind kind;
-    PlaceId from;
-    PlaceId to;
-    double from_yaw;
-    double to_yaw;
-    Sense sense;
-  };
-  struct Own {
-    Roadmap::Place place;
-    std::vector<double> headings;
-    PlaceId parent;  // in the forest of joined places (union-find); its own number at a root
-  };
-
-  friend class Freezer;
-  [[nodiscard]] const Roadmap::Place& at(PlaceId place) const {
-    return place < first_own_ ? base_->places[place] : own_[place - first_own_].place;
+  /// The first of a place's own links in a list; lists are chained through next_out_ and next_in_.
+  using Heads = std::vector<LinkId>;
+  [[nodiscard]] LinkId firstOf(const Heads& heads, PlaceId place) const {
+    return place < heads.size() ? heads[place] : Roadmap::kNone;
   }
-  std::vector<double>& headingsOf(PlaceId place);
-  void addLink(const Link& link);
+  LinkId addLink(const Roadmap::Link& link, Ways ways, bool is_checked);
   void join(PlaceId a, PlaceId b);
   [[nodiscard]] PlaceId rootOf(PlaceId place);
+  void indexPlaces(Roadmap& roadmap) const;
 
-  const Robot& robot_;
-  std::shared_ptr<const Roadmap> base_;
-  PlaceId first_own_;
-  std::vector<Own> own_;
-  std::unordered_map<PlaceId, std::vector<double>> base_headings_;  // added to places of the base
-  std::vector<Link> links_;
-  std::vector<std::pair<PlaceId, PlaceId>> twins_;
+  const Roadmap* base_;
+  PlaceId first_place_;
+  LinkId first_link_;
+  std::uint32_t first_crossing_;
+  std::vector<Roadmap::Place> places_;
+  std::vector<PlaceId> parents_;  // in the forest of joined places (union-find); its own number at a root
+  std::vector<Roadmap::Link> links_;
+  std::vector<Ways> ways_;
+  std::vector<char> is_checked_;
+  std::vector<Crossing> crossings_;
+  Heads out_;
+  Heads crossings_in_;
+  std::vector<LinkId> last_out_;  // of each place's list, so that links stay in the order they came
+  std::vector<LinkId> next_out_;
+  std::vector<LinkId> next_in_;
 };
 
 }  // namespace underway

@@ -74,16 +74,16 @@ struct Growth::State {
   State(const Checker& c, GrowthSettings s)
       : checker(c),
         settings(s),
-        draft(c.robot()),
-        sites(c, draft, Draft::Check::kNow),
+        stances(c, Policy::kFastest),
+        sites(stances, draft, Sites::Check::kNow),
         rails(c, draft, sites),
-        near(c.robot().modes.size()) {
+        near(stances.groups().modes.size()) {
     const Robot& robot = checker.robot();
     for (ModeId mode = 0; mode < robot.modes.size(); ++mode) {
       overhangs.push_back(overhangsFor(checker.world(), robot, mode));
-      near[mode].setDistanceFunction(apart);
       if (!standing && robot.modes[mode].canTurn()) standing = mode;
     }
+    for (auto& near_group : near) near_group.setDistanceFunction(apart);
     if (!standing) return;
     const Range slab = slabOf(robot, stay(*standing, {}), checker.world().floorZ());
     gaps.emplace(checker.world(), slab, narrowestStrip(robot.modes[*standing]) + kNarrow_m);
@@ -92,14 +92,14 @@ struct Growth::State {
   /// Connects places to their neighbours, and makes them neighbours of those to come.
   void settle(const std::vector<PlaceId>& waiting) {
     for (const PlaceId place : waiting) {
-      auto& near_mode = near[draft.modeOf(place)];
-      const Located here{place, draft.positionOf(place)};
+      auto& near_group = near[draft.place(place).group];
+      const Located here{place, draft.place(place).at};
       std::vector<Located> found;
-      if (near_mode.size() > 0) near_mode.nearestK(here, kNeighbours, found);
+      if (near_group.size() > 0) near_group.nearestK(here, kNeighbours, found);
       std::vector<PlaceId> neighbours;
       for (const Located& neighbour : found) neighbours.push_back(neighbour.place);
       sites.connectAround(place, neighbours);
-      near_mode.add(here);
+      near_group.add(here);
     }
   }
 
@@ -109,7 +109,7 @@ struct Growth::State {
     for (unsigned i = 0; i < kSitesPerBatch; ++i) {
       const Kind kind = i % 4 == 2 ? Kind::kGaussian : i % 4 == 3 ? Kind::kBridge : Kind::kUniform;
       if (const auto pose = sampler.sample(kind))
-        settle(sites.add(*standing, pose->position(), checker.robot().margin_m));
+        settle({sites.add(*standing, pose->position(), checker.robot().margin_m)});
     }
   }
 
@@ -120,7 +120,7 @@ struct Growth::State {
       const auto pose = sampler.sample(Kind::kLowPlace);
       if (!pose) continue;
       const Mode& moving = checker.robot().modes[mode];
-      if (moving.canTurn()) settle(sites.add(mode, pose->position(), checker.robot().margin_m));
+      if (moving.canTurn()) settle({sites.add(mode, pose->position(), checker.robot().margin_m)});
       for (const Sense sense : kSenses)
         if (moving.canMove(sense)) settle(rails.addThrough(mode, sense, *pose));
     }
@@ -147,9 +147,10 @@ struct Growth::State {
   const Checker& checker;
   GrowthSettings settings;
   Draft draft;
+  Stances stances;
   Sites sites;
   Rails rails;
-  std::vector<ompl::NearestNeighborsGNAT<Located>> near;  // by mode
+  std::vector<ompl::NearestNeighborsGNAT<Located>> near;  // by group
   std::vector<std::vector<std::size_t>> overhangs;        // by mode
   std::optional<ModeId> standing;                         // the first mode that turns: sites are drawn for it
   std::optional<Gaps> gaps;                               // that the standing mode does not fit through
@@ -169,9 +170,9 @@ void Growth::addBatch() {
   }
 }
 
-std::optional<Roadmap> Growth::freeze(Interrupt& interrupt) const {
-  auto roadmap = state_->draft.freeze(state_->checker, Draft::Check::kNow, interrupt);
-  if (roadmap) roadmap->batches = state_->batches;
+Roadmap Growth::freeze() const {
+  Roadmap roadmap = state_->draft.freeze(state_->stances.all());
+  roadmap.batches = state_->batches;
   return roadmap;
 }
 

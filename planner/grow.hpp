@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "geometry/checker.hpp"
-#include "planner/interrupt.hpp"
 #include "planner/roadmap.hpp"
 #include "planner/settings.hpp"
 
@@ -24,8 +23,8 @@ class Growth {
 
   /// Adds the next batch, all of it: half a batch is no batch.
   void addBatch();
-  /// The roadmap as grown; empty when interrupted.
-  [[nodiscard]] std::optional<Roadmap> freeze(Interrupt& interrupt) const;
+  /// The roadmap as grown.
+  [[nodiscard]] Roadmap freeze() const;
 
   [[nodiscard]] std::uint32_t batches() const;
   /// How many batches cover the floor as densely as the settings ask.

@@ -14,13 +14,13 @@ int cellOf(double offset_m, double cell_m, int count) {
 
 }  // namespace
 
-PlaceIndex::PlaceIndex(std::vector<Entry> entries) {
-  std::vector<std::vector<Entry>> by_mode;
+PlaceIndex::PlaceIndex(std::vector<Entry> entries) : size_(entries.size()) {
+  std::vector<std::vector<Entry>> by_group;
   for (const Entry& entry : entries) {
-    if (by_mode.size() <= entry.mode) by_mode.resize(entry.mode + 1U);
-    by_mode[entry.mode].push_back(entry);
+    if (by_group.size() <= entry.group) by_group.resize(entry.group + 1U);
+    by_group[entry.group].push_back(entry);
   }
-  for (std::vector<Entry>& of_mode : by_mode) grids_.push_back(gridOf(std::move(of_mode)));
+  for (std::vector<Entry>& of_group : by_group) grids_.push_back(gridOf(std::move(of_group)));
 }
 
 PlaceIndex::Grid PlaceIndex::gridOf(std::vector<Entry> entries) {
@@ -53,9 +53,9 @@ PlaceIndex::Grid PlaceIndex::gridOf(std::vector<Entry> entries) {
   return grid;
 }
 
-std::vector<std::uint32_t> PlaceIndex::nearest(ModeId mode, Point to, std::size_t most) const {
-  if (mode >= grids_.size() || grids_[mode].entries.empty() || most == 0) return {};
-  const Grid& grid = grids_[mode];
+std::vector<std::uint32_t> PlaceIndex::nearest(GroupId group, Point to, std::size_t most) const {
+  if (group >= grids_.size() || grids_[group].entries.empty() || most == 0) return {};
+  const Grid& grid = grids_[group];
   const int column = cellOf(to.x - grid.corner.x, grid.cell_m, grid.columns);
   const int row = cellOf(to.y - grid.corner.y, grid.cell_m, grid.rows);
   std::vector<std::pair<double, std::uint32_t>> found;

@@ -5,24 +5,25 @@
 #include <vector>
 
 #include "geometry/pose.hpp"
-#include "geometry/robot.hpp"
+#include "planner/groups.hpp"
 
 namespace underway {
 
-/// Places of each mode in a flat bucket grid, to find the nearest ones. Frozen once made.
+/// Places of each group in a flat bucket grid, to find the nearest ones. Frozen once made.
 class PlaceIndex {
  public:
   struct Entry {
     Point at;
-    ModeId mode = 0;
+    GroupId group = 0;
     std::uint32_t place = 0;
   };
 
   PlaceIndex() = default;
   explicit PlaceIndex(std::vector<Entry> entries);
 
-  /// Up to `most` places of a mode, nearest first; equally near ones by their number.
-  [[nodiscard]] std::vector<std::uint32_t> nearest(ModeId mode, Point to, std::size_t most) const;
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// Up to `most` places of a group, nearest first; equally near ones by their number.
+  [[nodiscard]] std::vector<std::uint32_t> nearest(GroupId group, Point to, std::size_t most) const;
 
  private:
   struct Grid {
@@ -34,7 +35,8 @@ class PlaceIndex {
     std::vector<std::uint32_t> first;  // of each cell; one more at the end
   };
   [[nodiscard]] static Grid gridOf(std::vector<Entry> entries);
-  std::vector<Grid> grids_;  // by mode
+  std::size_t size_ = 0;
+  std::vector<Grid> grids_;  // by group
 };
 
 }  // namespace underway

@@ -16,20 +16,16 @@ namespace underway {
 /// publishes the snapshot holds `published`, for no longer than a copy of the pointer takes.
 struct Planner::State {
   State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings settings)
-      : checker(std::move(world), std::move(robot)), growth(checker, settings) {}
+      : checker(std::move(world), std::move(robot)), planning(checker), growth(checker, settings) {}
 
   [[nodiscard]] std::shared_ptr<const Roadmap> current() const {
     const std::lock_guard lock(published);
     return snapshot;
   }
 
-  /// Publishes the roadmap as grown. A growth that is not published would be lost work, so only a stop
-  /// interrupts it.
-  void publish(const std::stop_token& stop) {
-    Interrupt stopped(Clock::time_point::max(), stop);
-    auto roadmap = growth.freeze(stopped);
-    if (!roadmap) return;
-    auto shared = std::make_shared<const Roadmap>(std::move(*roadmap));
+  /// Publishes the roadmap as grown.
+  void publish() {
+    auto shared = std::make_shared<const Roadmap>(growth.freeze());
     const std::lock_guard lock(published);
     snapshot = std::move(shared);
   }
@@ -54,7 +50,7 @@ struct Planner::State {
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
     } while (growth.batches() < wanted && !growing_time.isDueNow());
     build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
-    publish(interrupt.stop());
+    publish();
   }
 
   /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
@@ -64,12 +60,13 @@ struct Planner::State {
     if (!lock || current()->batches > roadmap.batches) return;
     const std::uint32_t wanted = growth.batches() + 1 + growth.batches() / 5;
     while (growth.batches() < wanted && !interrupt.isDueNow()) growth.addBatch();
-    if (growth.batches() > roadmap.batches) publish(interrupt.stop());
+    if (growth.batches() > roadmap.batches) publish();
   }
 
   static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
 
   Checker checker;
+  Planning planning;
   std::timed_mutex growing;
   Growth growth;
   std::atomic<double> build_ms = 0.0;
@@ -99,14 +96,16 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
   Interrupt growing_time(started + (deadline - started) / 2, stop);
   std::optional<Error> fault;  // of a plan that failed its certificate: another roadmap may hold a better one
+  std::optional<Pose> nearest;
   if (!interrupt.isDueNow()) state_->cover(growing_time, interrupt, progress);
   while (const auto roadmap = interrupt.isDueNow() ? nullptr : state_->current()) {
-    auto plan = answer(state_->checker, roadmap, request, interrupt);
-    if (plan && *plan) {
-      (*plan)->stats.build_ms = state_->build_ms;
-      return std::move(**plan);
+    auto found = answer(state_->planning, *roadmap, request, interrupt);
+    if (found.plan) {
+      found.plan->stats.build_ms = state_->build_ms;
+      return std::move(*found.plan);
     }
-    if (!plan) fault = plan.error();
+    if (found.fault) fault = found.fault;
+    if (found.nearest) nearest = found.nearest;
     state_->growBeyond(*roadmap, interrupt);
   }
   if (interrupt.isStopped())
@@ -115,10 +114,13 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   const auto roadmap = state_->current();
   return fail(
       ErrorCode::kTimeout,
-      fmt::format("no plan found in {:.1f} s, with {} batches of roadmap; there may be none: give it more "
+      fmt::format("no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more "
                   "time, or look at the places with `underway query`",
                   std::chrono::duration<double>(Clock::now() - started).count(),
-                  roadmap ? roadmap->batches : 0U));
+                  roadmap ? roadmap->batches : 0U,
+                  nearest ? fmt::format("; the nearest that was reached is ({:.2f} m, {:.2f} m, {:.2f} rad)",
+                                        nearest->x, nearest->y, nearest->yaw)
+                          : ""));
 }
 
 }  // namespace underway

@@ -72,51 +72,35 @@ std::optional<double> Rails::nextFree(const Line& line, const Switch& change, do
   return std::nullopt;
 }
 
-void Rails::addRoom(ModeId mode, PlaceId place, const Pose& pose, double direction,
-                    std::vector<PlaceId>& waiting) {
+Rails::PlaceId Rails::addEnd(ModeId mode, const Pose& pose, double direction, std::vector<PlaceId>& waiting) {
+  const double margin = checker_.robot().margin_m;
+  const PlaceId place = sites_.add(mode, pose.position(), margin);
   waiting.push_back(place);
   const Mode& moving = checker_.robot().modes[mode];
-  if (!moving.canTurn() || (!moving.canMove(Sense::kForward) && !moving.canMove(Sense::kBackward))) return;
+  if (!moving.canTurn() || (!moving.canMove(Sense::kForward) && !moving.canMove(Sense::kBackward)))
+    return place;
   for (double away = 0.0; away <= kRoomAway_m; away += kRoomStep_m) {
     const Motion step = translate(mode, direction > 0.0 ? Sense::kForward : Sense::kBackward, pose, away);
-    if (!checker_.isFreeAllRound(mode, step.to.position(), checker_.robot().margin_m)) continue;
-    if (away == 0.0 || !checker_.isFree(step)) return;
-    const auto room = sites_.add(mode, step.to.position(), checker_.robot().margin_m);
-    draft_.addTranslation(place, room[0], pose.yaw, step.sense);
-    waiting.insert(waiting.end(), room.begin(), room.end());
-    return;
+    if (!checker_.isFreeAllRound(mode, step.to.position(), margin)) continue;
+    if (away == 0.0 || !checker_.isFree(step)) return place;
+    waiting.push_back(sites_.add(mode, step.to.position(), margin));
+    sites_.connect(place, waiting.back());
+    return place;
   }
-}
-
-Rails::PlaceId Rails::addEntry(const Switch& change, const Pose& standing, const Pose& low,
-                               std::vector<PlaceId>& waiting) {
-  const auto places = sites_.add(change.from, standing.position(), checker_.robot().margin_m);
-  waiting.insert(waiting.end(), places.begin() + 1, places.end());
-  addRoom(change.from, places[0], standing, -1.0, waiting);
-  const PlaceId place = draft_.addPlace(change.to, low.position(), checker_.robot().margin_m);
-  draft_.addSwitch(places[0], standing.yaw, place, low.yaw);
-  return place;
-}
-
-Rails::PlaceId Rails::addExit(const Switch& change, const Pose& low, std::vector<PlaceId>& waiting) {
-  const PlaceId place = draft_.addPlace(change.from, low.position(), checker_.robot().margin_m);
-  const Pose standing = compose(low, change.displacement);
-  const auto places = sites_.add(change.to, standing.position(), checker_.robot().margin_m);
-  waiting.insert(waiting.end(), places.begin() + 1, places.end());
-  addRoom(change.to, places[0], standing, 1.0, waiting);
-  draft_.addSwitch(place, low.yaw, places[0], standing.yaw);
   return place;
 }
 
 void Rails::addPassage(const Line& line, const Switch& down, const Switch& up, double entry_m, double exit_m,
                        std::vector<PlaceId>& waiting) {
   const Pose standing = before(line.at(entry_m), down.displacement);
-  const Pose low = line.onIt(compose(standing, down.displacement));
-  const Motion crawl = translate(line.mode, line.sense, low, exit_m - entry_m);
+  Motion entry = switchModes(down, standing);
+  entry.to = line.onIt(entry.to);
+  const Motion crawl = translate(line.mode, line.sense, entry.to, exit_m - entry_m);
   if (!checker_.isFree(crawl)) return;
-  const PlaceId from = addEntry(down, standing, low, waiting);
-  const PlaceId to = addExit(up, crawl.to, waiting);
-  draft_.addTranslation(from, to, low.yaw, line.sense);
+  const Motion exit = switchModes(up, crawl.to);
+  const PlaceId from = addEnd(down.from, standing, -1.0, waiting);
+  const PlaceId to = addEnd(up.to, exit.to, 1.0, waiting);
+  draft_.addCrossing(from, to, Crossing(checker_.robot(), {entry, crawl, exit}));
 }
 
 std::vector<Rails::PlaceId> Rails::addThrough(ModeId mode, Sense sense, const Pose& pose) {
@@ -140,8 +124,9 @@ std::vector<Rails::PlaceId> Rails::addThrough(ModeId mode, Sense sense, const Po
   return waiting;
 }
 
-std::vector<Rails::PlaceId> Rails::addExits(PlaceId place, Sense sense, const Pose& pose) {
-  const Line line{draft_.modeOf(place), sense, pose};
+std::vector<Rails::PlaceId> Rails::addExits(PlaceId place, ModeId mode, Sense sense, const Pose& pose,
+                                            const Route& lead_in) {
+  const Line line{mode, sense, pose};
   const double ahead = freeWay(line, 1.0, kLongest_m);
   std::vector<PlaceId> waiting;
   for (const Switch& up : checker_.robot().switches) {
@@ -149,14 +134,19 @@ std::vector<Rails::PlaceId> Rails::addExits(PlaceId place, Sense sense, const Po
     const auto exit = nextFree(line, up, 0.0, 1.0, ahead);
     if (!exit) continue;
     const Motion crawl = translate(line.mode, sense, pose, *exit);
-    if (isFreeKeeping(checker_, crawl, draft_.keepOf(place)))
-      draft_.addTranslation(place, addExit(up, crawl.to, waiting), pose.yaw, sense);
+    if (!isFreeKeeping(checker_, crawl, draft_.place(place).keep_m)) continue;
+    Route motions = lead_in;
+    motions.push_back(crawl);
+    motions.push_back(switchModes(up, crawl.to));
+    const PlaceId to = addEnd(up.to, motions.back().to, 1.0, waiting);
+    draft_.addCrossing(place, to, Crossing(checker_.robot(), std::move(motions)));
   }
   return waiting;
 }
 
-std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, Sense sense, const Pose& pose) {
-  const Line line{draft_.modeOf(place), sense, pose};
+std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, ModeId mode, Sense sense, const Pose& pose,
+                                              const Route& lead_out) {
+  const Line line{mode, sense, pose};
   const double behind = freeWay(line, -1.0, kLongest_m);
   std::vector<PlaceId> waiting;
   for (const Switch& down : checker_.robot().switches) {
@@ -164,9 +154,14 @@ std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, Sense sense, const 
     const auto entry = nextFree(line, down, 0.0, -1.0, behind);
     if (!entry) continue;
     const Pose standing = before(line.at(*entry), down.displacement);
-    const Pose low = line.onIt(compose(standing, down.displacement));
-    if (isFreeKeeping(checker_, translate(line.mode, sense, low, pose.position()), draft_.keepOf(place)))
-      draft_.addTranslation(addEntry(down, standing, low, waiting), place, pose.yaw, sense);
+    Motion change = switchModes(down, standing);
+    change.to = line.onIt(change.to);
+    const Motion crawl = translate(line.mode, sense, change.to, pose.position());
+    if (!isFreeKeeping(checker_, crawl, draft_.place(place).keep_m)) continue;
+    Route motions{change, crawl};
+    motions.insert(motions.end(), lead_out.begin(), lead_out.end());
+    draft_.addCrossing(addEnd(down.from, standing, -1.0, waiting), place,
+                       Crossing(checker_.robot(), std::move(motions)));
   }
   return waiting;
 }
@@ -174,8 +169,8 @@ std::vector<Rails::PlaceId> Rails::addEntries(PlaceId place, Sense sense, const 
 std::vector<Rails::PlaceId> Rails::addNarrow(ModeId mode, Sense sense, const Pose& pose) {
   const Line line{mode, sense, pose};
   const double margin = checker_.robot().margin_m;
-  std::vector<PlaceId> waiting = sites_.add(mode, pose.position(), margin);
-  const PlaceId middle = waiting[0];
+  const PlaceId middle = sites_.add(mode, pose.position(), margin);
+  std::vector<PlaceId> waiting{middle};
   for (const double direction : {-1.0, 1.0}) {
     const double end = freeWay(line, direction, kRoomAway_m);
     double away = kRoomStep_m;
@@ -183,19 +178,17 @@ std::vector<Rails::PlaceId> Rails::addNarrow(ModeId mode, Sense sense, const Pos
       away += kRoomStep_m;
     if (std::min(away, end) < kExact_m) continue;
     const Sense along = direction > 0.0 ? sense : opposite(sense);
-    const Motion step = translate(mode, along, pose, std::min(away, end));
-    const auto side = sites_.add(mode, step.to.position(), margin);
-    draft_.addTranslation(middle, side[0], pose.yaw, along);
-    waiting.insert(waiting.end(), side.begin(), side.end());
+    waiting.push_back(
+        sites_.add(mode, translate(mode, along, pose, std::min(away, end)).to.position(), margin));
+    sites_.connect(middle, waiting.back());
   }
   return waiting;
 }
 
-std::vector<Rails::PlaceId> Rails::addWayOut(PlaceId place, Sense sense, const Pose& pose) {
-  const ModeId mode = draft_.modeOf(place);
+std::vector<Rails::PlaceId> Rails::addWayOut(PlaceId place, ModeId mode, Sense sense, const Pose& pose) {
   const double margin = checker_.robot().margin_m;
   const auto is_free = [&](double way) {
-    return isFreeKeeping(checker_, translate(mode, sense, pose, way), draft_.keepOf(place));
+    return isFreeKeeping(checker_, translate(mode, sense, pose, way), draft_.place(place).keep_m);
   };
   double away = kRoomStep_m;
   while (away < kRoomAway_m && is_free(away)) {
@@ -206,9 +199,9 @@ std::vector<Rails::PlaceId> Rails::addWayOut(PlaceId place, Sense sense, const P
   const Motion step = translate(mode, sense, pose, away);
   // Further on the margin holds again, or this is no way out.
   if (away < kExact_m || !checker_.isFree(stay(mode, step.to))) return {};
-  const auto out = sites_.add(mode, step.to.position(), margin);
-  draft_.addTranslation(place, out[0], pose.yaw, sense);
-  return out;
+  const PlaceId out = sites_.add(mode, step.to.position(), margin);
+  sites_.connect(place, out);
+  return {out};
 }
 
 std::vector<std::size_t> overhangsFor(const World& world, const Robot& robot, ModeId mode) {

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "geometry/checker.hpp"
-#include "planner/draft.hpp"
 #include "planner/sites.hpp"
 
 namespace underway {
 
-/// Straight lines through places that only a lower mode passes: a switch into the mode, a translation, a
-/// switch out of it. A mode that cannot turn lives on such lines alone: two poses of it drawn at random are
-/// never in line.
+/// Straight lines through places that only a lower mode passes, as crossings: a switch into the mode, a
+/// translation, a switch out of it. A mode that cannot turn lives on such lines alone: two poses of it drawn
+/// at random are never in line.
 class Rails {
  public:
   using PlaceId = Draft::PlaceId;
@@ -21,14 +20,17 @@ class Rails {
       : checker_(checker), draft_(draft), sites_(sites) {}
 
   /// The line through a free pose of a mode in a low place, along one of its senses: goes down as late as it
-  /// can before it and gets up as early as it can after it. Returns the places of other modes that wait to be
-  /// connected to the rest of the roadmap.
+  /// can before it and gets up as early as it can after it. Returns the places that wait to be connected to
+  /// the rest of the roadmap.
   std::vector<PlaceId> addThrough(ModeId mode, Sense sense, const Pose& pose);
 
-  /// From a place in a mode that is on the line already: where it gets up ahead.
-  std::vector<PlaceId> addExits(PlaceId place, Sense sense, const Pose& pose);
+  /// From a place where the robot is in a mode that cannot turn, after some motions that lead to a pose of
+  /// that mode: where it gets up ahead.
+  std::vector<PlaceId> addExits(PlaceId place, ModeId mode, Sense sense, const Pose& pose,
+                                const Route& lead_in);
   /// To such a place: where it went down behind.
-  std::vector<PlaceId> addEntries(PlaceId place, Sense sense, const Pose& pose);
+  std::vector<PlaceId> addEntries(PlaceId place, ModeId mode, Sense sense, const Pose& pose,
+                                  const Route& lead_out);
 
   /// A line through a narrow place for a mode that turns: a place at the pose, and one on either side, as
   /// near as the mode can turn. All wait to be connected further.
@@ -36,7 +38,7 @@ class Rails {
 
   /// A way out of a place too tight to turn in: straight along a sense to where the mode can turn, or as far
   /// as it goes. The new places wait to be connected.
-  std::vector<PlaceId> addWayOut(PlaceId place, Sense sense, const Pose& pose);
+  std::vector<PlaceId> addWayOut(PlaceId place, ModeId mode, Sense sense, const Pose& pose);
 
  private:
   struct Line;
@@ -50,11 +52,8 @@ class Rails {
   /// Down at one position on a line, along it, up at another; if that is free.
   void addPassage(const Line& line, const Switch& down, const Switch& up, double entry_m, double exit_m,
                   std::vector<PlaceId>& waiting);
-  /// The place a switch leads from or to, with room to turn near it if there is any.
-  PlaceId addEntry(const Switch& change, const Pose& standing, const Pose& low,
-                   std::vector<PlaceId>& waiting);
-  PlaceId addExit(const Switch& change, const Pose& low, std::vector<PlaceId>& waiting);
-  void addRoom(ModeId mode, PlaceId place, const Pose& pose, double direction, std::vector<PlaceId>& waiting);
+  /// A place where a crossing begins or ends, with room to turn near it if there is any.
+  PlaceId addEnd(ModeId mode, const Pose& pose, double direction, std::vector<PlaceId>& waiting);
 
   const Checker& checker_;
   Draft& draft_;

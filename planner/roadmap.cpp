@@ -1,9 +1,8 @@
 #include "planner/roadmap.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-
-#include "geometry/checker.hpp"
 
 namespace underway {
 namespace {
@@ -12,39 +11,15 @@ constexpr double kRounding_m = 1e-8;  // of clearances, which are told within a 
 
 }  // namespace
 
-Motion motionOf(const Roadmap& roadmap, const Robot& robot, Roadmap::NodeId from, const Roadmap::Edge& edge) {
-  const Roadmap::Node& a = roadmap.node(from);
-  const Roadmap::Node& b = roadmap.node(edge.to);
-  switch (edge.kind) {
-    case MotionKind::kTranslate:
-      return translate(a.mode, edge.sense, a.pose, b.pose.position());
-    case MotionKind::kTurn: {
-      const double angle = edge.clockwise ? -counterClockwise(b.pose.yaw, a.pose.yaw)
-                                          : counterClockwise(a.pose.yaw, b.pose.yaw);
-      return turn(a.mode, a.pose, angle, b.pose.yaw);
-    }
-    case MotionKind::kSwitch:
-      break;
+void Roadmap::count() {
+  const auto count_of = [&](LinkId link) { return static_cast<std::uint64_t>(std::popcount(ways[link])); };
+  node_count = edge_count = 0;
+  std::vector<std::uint64_t> leaving(places.size(), 0);
+  for (LinkId link = 0; link < links.size(); ++link) leaving[links[link].from] += count_of(link);
+  for (LinkId link = 0; link < links.size(); ++link) {
+    node_count += count_of(link);
+    edge_count += count_of(link) * leaving[links[link].to];
   }
-  Motion change = switchModes(*robot.findSwitch(a.mode, b.mode), a.pose);
-  change.to = b.pose;
-  return change;
-}
-
-std::optional<Roadmap::NodeId> findNode(const Roadmap& roadmap, Roadmap::PlaceId id, double yaw) {
-  const Roadmap::Place& place = roadmap.place(id);
-  for (Roadmap::NodeId node = place.first_node; node < place.end_node; ++node)
-    if (roadmap.node(node).pose.yaw == yaw) return node;
-  return std::nullopt;
-}
-
-bool isFree(const Roadmap& roadmap, const Checker& checker, Roadmap::NodeId from, const Roadmap::Edge& edge,
-            double at_least_m) {
-  const Robot& robot = checker.robot();
-  const double keep = std::min(roadmap.place(roadmap.node(from).place).keep_m,
-                               roadmap.place(roadmap.node(edge.to).place).keep_m);
-  return isFreeKeeping(checker, motionOf(roadmap, robot, from, edge),
-                       keep < robot.margin_m ? keep : std::max(keep, at_least_m));
 }
 
 bool isFreeKeeping(const Checker& checker, const Motion& motion, double keep_m) {

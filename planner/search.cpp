@@ -2,120 +2,337 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
+#include <optional>
+
+#include "planner/guide.hpp"
 
 namespace underway {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+using LinkId = Roadmap::LinkId;
+using PlaceId = Roadmap::PlaceId;
+using StateId = std::uint32_t;
 
-/// A way to reach a node, found but not settled yet.
-struct Arrival {
+/// What is known about a state: a pose in a mode, come to by a way of a link; the first is the start.
+struct State {
+  Cost cost = Cost::most();
+  StateId parent = Roadmap::kNone;
+  StateId left_before = Roadmap::kNone;  // the state that was left before it at the same place
+  std::uint32_t room = Roadmap::kNone;   // how far it can turn, if that is known
+  std::uint32_t search : 31 = 0;         // the search that wrote this: what another one did counts as nothing
+  std::uint32_t is_settled : 1 = 0;
+};
+
+/// The states of a thread's searches, one after the other: to clear them each time would take longer than
+/// most searches.
+class StateTable {
+ public:
+  void begin(std::size_t count) {
+    if (states_.size() < count) states_.resize(count);
+    search_ = (search_ + 1) & 0x7fffffff;
+    if (search_ == 0) std::fill(states_.begin(), states_.end(), State()), search_ = 1;
+  }
+  State& operator[](StateId id) {
+    State& state = states_[id];
+    if (state.search != search_) {
+      state = State();
+      state.search = search_;
+    }
+    return state;
+  }
+
+ private:
+  std::vector<State> states_;
+  std::uint32_t search_ : 31 = 0;
+};
+
+struct Open {
   Cost bound;  // cost so far plus the least that is left
-  Cost cost;
-  Roadmap::NodeId node = 0;
-  std::uint32_t parent = 0;             // arrival it came from
-  const Roadmap::Edge* edge = nullptr;  // null at the start
-};
-
-/// Puts the cheapest bound first; of equal ones the earlier arrival.
-struct IsWorse {
-  const std::vector<Arrival>& arrivals;
-  bool operator()(std::uint32_t a, std::uint32_t b) const {
-    const Cost ca = arrivals[a].bound;
-    const Cost cb = arrivals[b].bound;
-    return ca > cb || (ca == cb && a > b);
+  StateId state;
+  bool operator<(const Open& other) const {  // the cheapest first; of equal ones that with the smaller number
+    return bound > other.bound || (bound == other.bound && state > other.state);
   }
 };
 
-double highestSpeed(const Robot& robot) {
-  double fastest = 0.0;
-  for (const Mode& mode : robot.modes)
-    for (const double speed : mode.speed_mps) fastest = std::max(fastest, speed);
-  for (const Switch& change : robot.switches) {
-    const double moved = std::hypot(change.displacement.x, change.displacement.y);
-    if (moved > 0.0)
-      fastest = std::max(fastest, moved / change.duration_s);  // infinite when it takes no time
+class Search {
+ public:
+  Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks,
+         const Target& target)
+      : graph_(graph),
+        stances_(stances),
+        robot_(robot),
+        checks_(checks),
+        target_(target),
+        guide_(graph, stances, stances.policy(), target.start, target.goal),
+        stride_(static_cast<StateId>(stances.mostWays())),
+        states_(tableOfThisThread()),
+        end_(1 + graph.linkCount() * stride_),
+        left_last_(graph.placeCount(), Roadmap::kNone),
+        nearest_m_(distance(graph.place(target.start).at, graph.place(target.goal).at)),
+        nearest_(0) {}
+
+  std::optional<Passage> cheapest(Interrupt& interrupt) {
+    states_.begin(end_ + 1);
+    arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
+    while (!open_.empty() && !interrupt.isDue()) {
+      const StateId here = open_.front().state;
+      std::pop_heap(open_.begin(), open_.end());
+      open_.pop_back();
+      if (states_[here].is_settled) continue;
+      states_[here].is_settled = 1;
+      if (here == end_) return passageTo(states_[here].parent);
+      if (!isFree(here)) continue;
+      notice(here);
+      if (!isSurpassed(here)) leave(here);
+    }
+    return std::nullopt;
   }
-  return fastest;
-}
+
+  /// The pose nearest to the goal that was reached.
+  [[nodiscard]] Pose nearest() const {
+    const Point at = graph_.place(placeOf(nearest_)).at;
+    return {at.x, at.y, stanceOf(nearest_).yaw};
+  }
+
+ private:
+  static StateTable& tableOfThisThread() {
+    thread_local StateTable table;
+    return table;
+  }
+
+  [[nodiscard]] LinkId linkOf(StateId state) const { return (state - 1) / stride_; }
+  [[nodiscard]] std::size_t wayOf(StateId state) const { return (state - 1) % stride_; }
+  [[nodiscard]] StateId stateOf(LinkId link, std::size_t way) const {
+    return 1 + link * stride_ + static_cast<StateId>(way);
+  }
+  [[nodiscard]] PlaceId placeOf(StateId state) const {
+    return state == 0 ? target_.start : graph_.link(linkOf(state)).to;
+  }
+  [[nodiscard]] const Legs& legsAt(PlaceId place) const {
+    return stances_.ofGroup(graph_.place(place).group);
+  }
+
+  [[nodiscard]] Stance stanceOf(StateId state) const {
+    if (state == 0) return target_.start_stance;
+    const Roadmap::Link& link = graph_.link(linkOf(state));
+    if (link.crossing == Roadmap::kNone) return legsAt(link.to).stanceOn(link.direction_rad, wayOf(state));
+    const Crossing& crossing = graph_.crossing(link);
+    return {crossing.exit().yaw, crossing.exitMode()};
+  }
+
+  [[nodiscard]] bool isFree(StateId state) {
+    if (state == 0) return true;
+    const LinkId link = linkOf(state);
+    if (graph_.isChecked(link) && stances_.atLeast() <= robot_.margin_m) return true;
+    return checks_.isFree(link, wayOf(state), legsAt(graph_.link(link).from));
+  }
+
+  void notice(StateId state) {
+    const double away_m = distance(graph_.place(placeOf(state)).at, graph_.place(target_.goal).at);
+    if (away_m < nearest_m_) nearest_m_ = away_m, nearest_ = state;
+  }
+
+  void arrive(StateId state, StateId parent, Cost cost, Cost left) {
+    State& at = states_[state];
+    if (at.is_settled != 0 || cost >= at.cost || left == Cost::most()) return;
+    at.cost = cost;
+    at.parent = parent;
+    open_.push_back({cost + left, state});
+    std::push_heap(open_.begin(), open_.end());
+  }
+
+  /// Whether another state at the same place can change into this one and still cost no more: then all that
+  /// can be reached from here has been reached from there.
+  bool isSurpassed(StateId here) {
+    const PlaceId place = placeOf(here);
+    const Stance stance = stanceOf(here);
+    const Legs& legs = legsAt(place);
+    for (StateId other = left_last_[place]; other != Roadmap::kNone; other = states_[other].left_before) {
+      const Stance from = stanceOf(other);
+      if (states_[other].cost > states_[here].cost) continue;
+      const Cost spare = states_[here].cost - states_[other].cost;
+      if (legs.changeCost(from, stance) <= spare && freeChange(other, place, legs, from, stance) <= spare)
+        return true;
+    }
+    states_[here].left_before = left_last_[place];
+    left_last_[place] = here;
+    return false;
+  }
+
+  void leave(StateId here) {
+    const PlaceId place = placeOf(here);
+    const Stance stance = stanceOf(here);
+    const Legs& legs = legsAt(place);
+    const Cost cost = states_[here].cost;
+    const auto change = [&](const Stance& to) { return freeChange(here, place, legs, stance, to); };
+    graph_.forEachLinkFrom(place, [&](LinkId id) {
+      const Roadmap::Ways ways = graph_.ways(id);
+      if (ways == 0) return;
+      const Roadmap::Link& link = graph_.link(id);
+      if (link.crossing != Roadmap::kNone && states_[stateOf(id, 0)].is_settled != 0) return;
+      const Cost left = guide_.from(link.to);
+      if (left == Cost::most()) return;
+      if (link.crossing != Roadmap::kNone) {
+        const Crossing& crossing = graph_.crossing(link);
+        const Cost changed = change({crossing.entry().yaw, crossing.entryMode()});
+        if (changed != Cost::most())
+          arrive(stateOf(id, 0), here, cost + changed + crossing.cost(stances_.policy()), left);
+        return;
+      }
+      for (std::size_t way = 0; ways >> way != 0; ++way) {
+        if ((ways >> way & 1U) == 0) continue;
+        const State& known = states_[stateOf(id, way)];
+        if (known.is_settled != 0) continue;
+        const Cost leg = legs.legCost(legs.ways()[way], link.length_m);
+        if (cost + leg >= known.cost) continue;
+        const Cost changed = change(legs.stanceOn(link.direction_rad, way));
+        if (changed != Cost::most()) arrive(stateOf(id, way), here, cost + changed + leg, left);
+      }
+    });
+    if (place == target_.goal) {
+      const Stance to{target_.any_heading ? stance.yaw : target_.goal_stance.yaw, target_.goal_stance.mode};
+      if (const Cost changed = change(to); changed != Cost::most())
+        arrive(end_, here, cost + changed, Cost());
+    }
+  }
+
+  /// Of a change from a state's stance to another, Cost::most() if it is not free.
+  [[nodiscard]] Cost freeChange(StateId here, PlaceId place, const Legs& legs, const Stance& from,
+                                const Stance& to) {
+    const Roadmap::Place& at = graph_.place(place);
+    if (at.turns_freely && stances_.atLeast() <= robot_.margin_m) return legs.changeCost(from, to);
+    State& state = states_[here];
+    if (state.room == Roadmap::kNone) {
+      state.room = static_cast<std::uint32_t>(rooms_.size());
+      rooms_.push_back(legs.roomAt(at.at, from, at.keep_m));
+    }
+    return legs.freeChangeCost(at.at, from, rooms_[state.room], to, at.keep_m);
+  }
+
+  [[nodiscard]] Option optionAt(PlaceId place) const {
+    const Roadmap::Place& here = graph_.place(place);
+    return Option::stop(here.at, here.keep_m);
+  }
+
+  [[nodiscard]] Option optionOf(const Crossing& crossing, double keep_m) const {
+    return {crossing.entry(),
+            crossing.exit(),
+            crossing.entryMode(),
+            crossing.exitMode(),
+            false,
+            false,
+            keep_m,
+            crossing.motions,
+            crossing.cost(stances_.policy())};
+  }
+
+  /// The steps along the states that lead to one: a leg that a crossing follows leads straight to its entry.
+  [[nodiscard]] Passage passageTo(StateId last) {
+    std::vector<StateId> states;
+    for (StateId state = last; state != 0; state = states_[state].parent) states.push_back(state);
+    std::reverse(states.begin(), states.end());
+    Passage passage{{}, states_[end_].cost};
+    const Roadmap::Place& start = graph_.place(target_.start);
+    const Pose from{start.at.x, start.at.y, target_.start_stance.yaw};
+    passage.steps.push_back({{from,
+                              from,
+                              target_.start_stance.mode,
+                              target_.start_stance.mode,
+                              false,
+                              false,
+                              start.keep_m,
+                              {},
+                              {}},
+                             nullptr,
+                             std::nullopt,
+                             target_.start_stance,
+                             target_.start_stance});
+    Stance here = target_.start_stance;
+    std::optional<std::size_t> way;
+    const Legs* legs = nullptr;
+    const auto step_to = [&](Option option) {
+      const Stance leaving = option.is_stop       ? here
+                             : option.any_heading ? Stance{here.yaw, option.out_mode}
+                                                  : Stance{option.out.yaw, option.out_mode};
+      passage.steps.push_back({std::move(option), legs, way, here, leaving});
+      here = leaving;
+      way.reset();
+    };
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Roadmap::Link& link = graph_.link(linkOf(states[i]));
+      legs = &legsAt(link.from);
+      if (link.crossing != Roadmap::kNone) {
+        step_to(optionOf(graph_.crossing(link), std::min(graph_.place(link.from).keep_m, robot_.margin_m)));
+        continue;
+      }
+      way = wayOf(states[i]);
+      here = stanceOf(states[i]);
+      const bool is_crossing_next =
+          i + 1 < states.size() && graph_.link(linkOf(states[i + 1])).crossing != Roadmap::kNone;
+      const bool is_last = i + 1 == states.size();
+      if (!is_crossing_next && !is_last) step_to(optionAt(link.to));
+    }
+    const Roadmap::Place& goal = graph_.place(target_.goal);
+    const Pose to{goal.at.x, goal.at.y, target_.goal_stance.yaw};
+    if (legs == nullptr || !way) legs = &legsAt(target_.goal);
+    step_to({to,
+             to,
+             target_.goal_stance.mode,
+             target_.goal_stance.mode,
+             false,
+             target_.any_heading,
+             goal.keep_m,
+             {},
+             {}});
+    return passage;
+  }
+
+  const Draft& graph_;
+  const Stances& stances_;
+  const Robot& robot_;
+  LinkChecks& checks_;
+  const Target& target_;
+  Guide guide_;
+  StateId stride_;
+  StateTable& states_;  // the start, each way of each link, the end
+  StateId end_;
+  std::vector<StateId> left_last_;  // of each place
+  std::vector<TurningRoom> rooms_;
+  std::vector<Open> open_;  // a heap
+  double nearest_m_;
+  StateId nearest_;
+};
 
 }  // namespace
 
-bool EdgeChecks::isFree(Roadmap::NodeId from, const Roadmap::Edge& edge, double at_least_m) {
-  if (edge.checked && at_least_m <= checker_.robot().margin_m) return true;
-  Known& known = known_[&edge];
-  if (at_least_m > known.free_at_m && at_least_m < known.blocked_at_m)
-    (underway::isFree(roadmap_, checker_, from, edge, at_least_m) ? known.free_at_m : known.blocked_at_m) =
-        at_least_m;
-  return at_least_m <= known.free_at_m;
-}
-
-TimeBound::TimeBound(const Robot& robot, Point goal, ModeId goal_mode)
-    : goal_(goal), fastest_mps_(highestSpeed(robot)), switching_s_(robot.modes.size(), kNever) {
-  switching_s_[goal_mode] = 0.0;
-  for (std::size_t round = 0; round < robot.modes.size(); ++round) {  // Bellman and Ford over few modes
-    for (const Switch& change : robot.switches) {
-      const double moved = std::hypot(change.displacement.x, change.displacement.y);
-      const double standing =
-          moved > 0.0 ? std::max(0.0, change.duration_s - moved / fastest_mps_) : change.duration_s;
-      switching_s_[change.from] = std::min(switching_s_[change.from], standing + switching_s_[change.to]);
+bool LinkChecks::isFree(Roadmap::LinkId id, std::size_t way, const Legs& legs) {
+  const Roadmap::Link& link = graph_.link(id);
+  const Roadmap::Place& from = graph_.place(link.from);
+  const Roadmap::Place& to = graph_.place(link.to);
+  const double keep_m = std::min(from.keep_m, to.keep_m);
+  const double margin_m = checker_.robot().margin_m;
+  const double clearance_m = keep_m < margin_m ? keep_m : std::max(keep_m, legs.atLeast());
+  Known& known = known_[static_cast<std::uint64_t>(id) * 32 + way];
+  if (clearance_m > known.free_at_m && clearance_m < known.blocked_at_m) {
+    bool is_free = true;
+    if (link.crossing == Roadmap::kNone) {
+      is_free = legs.isLegFree(legs.ways()[way], from.at, to.at, legs.stanceOn(link.direction_rad, way).yaw,
+                               keep_m);
+    } else {
+      for (const Motion& motion : graph_.crossing(link).motions)
+        is_free = is_free && isFreeKeeping(checker_, motion, clearance_m);
     }
+    (is_free ? known.free_at_m : known.blocked_at_m) = clearance_m;
   }
+  return clearance_m <= known.free_at_m;
 }
 
-std::uint64_t TimeBound::us(Point from, ModeId mode) const {
-  const double way = distance(from, goal_);
-  const double seconds = (way > 0.0 ? way / fastest_mps_ : 0.0) + switching_s_[mode];
-  constexpr double kMost_s = 1e6;  // of a robot that cannot get there, or hardly moves
-  return static_cast<std::uint64_t>(std::min(seconds, kMost_s) * 1e6);
-}
-
-std::optional<std::vector<Motion>> search(const Roadmap& roadmap, const Robot& robot, EdgeChecks& checks,
-                                          const Target& target, Interrupt& interrupt) {
-  const Roadmap::Place& goal = roadmap.place(target.goal_place);
-  const TimeBound bound(robot, goal.at, goal.mode);
-  std::vector<Arrival> arrivals;
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, IsWorse> open(IsWorse{arrivals});
-  std::vector<bool> is_settled(roadmap.nodeCount(), false);
-  std::vector<Cost> best(roadmap.nodeCount(), Cost::most());  // by edges known to be free
-
-  const auto arrive = [&](Roadmap::NodeId node, Cost cost, std::uint32_t parent, const Roadmap::Edge* edge) {
-    if (is_settled[node] || cost >= best[node]) return;
-    const bool is_certain = edge == nullptr || (edge->checked && target.at_least_m <= robot.margin_m);
-    if (is_certain) best[node] = cost;
-    const Roadmap::Node& at = roadmap.node(node);
-    const Cost left = Cost::time(bound.us(at.pose.position(), at.mode));
-    arrivals.push_back({cost + left, cost, node, parent, edge});
-    open.push(static_cast<std::uint32_t>(arrivals.size() - 1));
-  };
-  const auto route_to = [&](std::uint32_t last) {
-    std::vector<Motion> route;
-    for (std::uint32_t i = last; arrivals[i].edge != nullptr; i = arrivals[i].parent)
-      route.push_back(motionOf(roadmap, robot, arrivals[arrivals[i].parent].node, *arrivals[i].edge));
-    std::reverse(route.begin(), route.end());
-    return route;
-  };
-
-  arrive(target.start, Cost(), 0, nullptr);
-  while (!open.empty() && !interrupt.isDue()) {
-    const std::uint32_t index = open.top();
-    open.pop();
-    const Arrival here = arrivals[index];
-    if (is_settled[here.node]) continue;
-    if (here.edge != nullptr && !checks.isFree(arrivals[here.parent].node, *here.edge, target.at_least_m))
-      continue;
-    is_settled[here.node] = true;
-    const bool is_goal = target.goal_node ? here.node == *target.goal_node
-                                          : roadmap.node(here.node).place == target.goal_place;
-    if (is_goal) return route_to(index);
-    roadmap.forEachEdge(here.node, [&](const Roadmap::Edge& edge) {
-      const Cost step = costOf(robot, target.policy, motionOf(roadmap, robot, here.node, edge));
-      arrive(edge.to, here.cost + step, index, &edge);
-    });
-  }
-  return std::nullopt;
+std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,
+                              LinkChecks& checks, const Target& target, Interrupt& interrupt, Pose* nearest) {
+  Search search(graph, stances, robot, checks, target);
+  auto passage = search.cheapest(interrupt);
+  if (!passage && nearest) *nearest = search.nearest();
+  return passage;
 }
 
 }  // namespace underway

@@ -5,219 +5,156 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/draft.hpp"
-#include "planner/rails.hpp"
-#include "planner/search.hpp"
-#include "planner/sites.hpp"
+#include "planner/corridor.hpp"
+#include "planner/movable.hpp"
 
 namespace underway {
 namespace {
 
-using PlaceId = Draft::PlaceId;
+/// By how much stops and crossings are moved, round by round, and how often a round is repeated while it
+/// helps.
+constexpr std::array kSteps_m{0.3, 0.1, 0.03, 0.01};
+constexpr int kRepeats = 3;
+constexpr std::size_t kReach = 6;  // stations ahead that legs lead to, when stops are to be left out
+constexpr std::size_t kStopsRound = 8;
+constexpr double kCoarse_m = 0.05;   // smaller steps only move what is there, and move it by the ways it has
+constexpr double kNearCorner = 1.6;  // steps from a stop to where its corner may be cut
 
-constexpr double kStep_m = 0.5;    // between points along a translation
-constexpr std::size_t kReach = 6;  // points ahead that each point is connected to; corners to all corners
-constexpr std::array kShifts_m{0.12, 0.04, 0.015};  // how far corners are moved, round by round
-
-/// A position on the route or close to it, with its places.
-struct Stop {
-  std::vector<PlaceId> places;  // in the route's mode there first, then its companions
-  std::size_t corner;           // number of the last corner up to here
-  std::size_t leg;  // only stops of one leg are connected: a leg ends where a switch moves the robot
-  bool is_corner;   // where motions meet; the others lie between
-};
-
-class Shortcuts {
+/// A route divided into stops and crossings, and improved as a whole.
+class Shortening {
  public:
-  Shortcuts(const Checker& checker, Policy policy, const Route& route, const Keeping& keeping, double shift_m)
+  Shortening(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping)
       : checker_(checker),
         robot_(checker.robot()),
-        policy_(policy),
-        route_(route),
+        stances_(stances),
         keeping_(keeping),
-        shift_m_(shift_m),
-        draft_(robot_),
-        sites_(checker, draft_, Draft::Check::kWhenUsed),
-        rails_(checker, draft_, sites_) {
-    for (const Motion& motion : route)
-      if (motion.kind == MotionKind::kTranslate) {
-        lowest_mode_ = std::max(lowest_mode_, motion.mode);
-        is_used_[motion.mode] = true;
-      }
-  }
+        passage_(std::move(passage)) {}
 
-  Route best(Interrupt& interrupt) {
-    layOut();
-    connect();
-    const auto roadmap = draft_.freeze(checker_, Draft::Check::kWhenUsed, interrupt);
-    if (!roadmap) return route_;
-    Target target{*findNode(*roadmap, stops_.front().places[0], route_.front().from.yaw), here_, std::nullopt,
-                  policy_, keeping_.at_least_m};
-    if (!keeping_.any_heading) target.goal_node = findNode(*roadmap, here_, route_.back().to.yaw);
-    EdgeChecks checks(*roadmap, checker_);
-    auto found = search(*roadmap, robot_, checks, target, interrupt);
-    if (!found) return route_;
-    return std::move(*found);
+  Passage best(Interrupt& interrupt) {
+    // Only so many stations are left out at a time, so again until none is.
+    while (improve(corridorAlong(0.0), interrupt)) continue;
+    for (const double step_m : kSteps_m) {
+      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m), interrupt); ++i) continue;
+      improve(corridorAlong(0.0), interrupt);
+    }
+    return std::move(passage_);
   }
 
  private:
-  /// Puts the route itself into the draft, motion by motion, with points along it and round its corners.
-  void layOut() {
-    here_ = addCorner(route_.front().mode, route_.front().from.position(), keeping_.start_m);
-    draft_.addHeading(here_, route_.front().from.yaw);
-    // What follows the last change of position is turning at the goal.
-    const auto moves = [](const Motion& m) { return m.from.position() != m.to.position(); };
-    const auto last = std::find_if(route_.rbegin(), route_.rend(), moves).base();
-    for (auto motion = route_.begin(); motion != route_.end(); ++motion)
-      layOut(*motion, motion + 1 >= last ? keeping_.goal_m : robot_.margin_m);
-    draft_.addHeading(here_, route_.back().to.yaw);
+  bool improve(const Corridor& corridor, Interrupt& interrupt) {
+    auto better = cheapestThrough(corridor, passage_.cost, interrupt);
+    if (!better) return false;
+    passage_ = std::move(*better);
+    return true;
   }
 
-  void layOut(const Motion& motion, double keep_m) {
-    switch (motion.kind) {
-      case MotionKind::kTurn:
-        draft_.addHeading(here_, motion.from.yaw);
-        draft_.addHeading(here_, motion.to.yaw);
-        break;
-      case MotionKind::kTranslate:
-        translate(motion, keep_m);
-        break;
-      case MotionKind::kSwitch:
-        changeMode(motion, keep_m);
-        break;
+  [[nodiscard]] Option optionOf(const Movable& crossing) const {
+    return {crossing.entry(),
+            crossing.exit(),
+            crossing.motions().front().mode,
+            crossing.motions().back().to_mode,
+            false,
+            false,
+            robot_.margin_m,
+            crossing.motions(),
+            crossing.cost()};
+  }
+
+  // --- from a passage to the corridor round it ------------------------------------------------------------
+
+  Corridor corridorAlong(double step_m) {
+    Corridor corridor;
+    for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
+      const Passage::Step& step = passage_.steps[i];
+      const bool is_coarse = step_m >= kCoarse_m;
+      if (i > 0 && step.way && is_coarse) addBetween(i, step_m, corridor);
+      const bool is_end = i == 0 || i + 1 == passage_.steps.size();
+      Station station{{step.option},
+                      step.option.is_stop && step_m == 0.0,
+                      step_m == 0.0 ? kReach
+                      : is_coarse   ? 2U
+                                    : 1U,
+                      &stances_.ofMode(step.leaving.mode)};
+      if (step_m > 0.0 && !is_coarse && step.way) station.ways_to = 1U << *step.way;
+      if (step_m > 0.0 && step.option.is_stop) addStopsRound(step.option, step_m, station);
+      if (step_m > 0.0 && !is_end && !step.option.is_stop) addCrossingsBeside(i, step_m, station);
+      corridor.push_back(std::move(station));
+    }
+    return corridor;
+  }
+
+  void addStopsRound(const Option& stop, double step_m, Station& station) const {
+    for (std::size_t i = 0; i < kStopsRound; ++i) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kStopsRound;
+      station.options.push_back(Option::stop(
+          {stop.in.x + step_m * std::cos(angle), stop.in.y + step_m * std::sin(angle)}, robot_.margin_m));
     }
   }
 
-  void translate(const Motion& motion, double keep_m) {
-    const bool can_turn = robot_.modes[motion.mode].canTurn();
-    if (can_turn && shift_m_ == 0.0) addPointsAlong(motion);
-    const PlaceId next = addCorner(motion.mode, motion.to.position(), keep_m);
-    if (can_turn && shift_m_ > 0.0) addPointsRound(motion.mode, motion.to.position());
-    if (!can_turn && shift_m_ > 0.0) addLinesBeside(motion);
-    draft_.addTranslation(here_, next, motion.from.yaw, motion.sense);
-    here_ = next;
-  }
-
-  void changeMode(const Motion& motion, double keep_m) {
-    if (motion.from == motion.to) {
-      const auto& places = cornerAt(here_).places;
-      const auto twin = std::find_if(places.begin(), places.end(),
-                                     [&](PlaceId p) { return draft_.modeOf(p) == motion.to_mode; });
-      if (twin != places.end()) {
-        draft_.addSwitch(here_, motion.from.yaw, *twin, motion.to.yaw);
-        here_ = *twin;
-        return;
-      }
-    }
-    const PlaceId from = here_;
-    ++leg_;
-    here_ = addCorner(motion.to_mode, motion.to.position(), keep_m);
-    draft_.addSwitch(from, motion.from.yaw, here_, motion.to.yaw);
-  }
-
-  [[nodiscard]] const Stop& cornerAt(PlaceId place) const {
-    return *std::find_if(stops_.rbegin(), stops_.rend(), [&](const Stop& stop) {
-      return std::find(stop.places.begin(), stop.places.end(), place) != stop.places.end();
-    });
-  }
-
-  PlaceId addCorner(ModeId mode, Point at, double keep_m) {
-    stops_.push_back({sites_.add(mode, at, keep_m), ++corner_, leg_, true});
-    return stops_.back().places[0];
-  }
-
-  void addPoint(ModeId mode, Point at) {
-    stops_.push_back({sites_.add(mode, at, robot_.margin_m), corner_, leg_, false});
-  }
-
-  void addPointsAlong(const Motion& motion) {
-    const double way = length(motion);
-    const auto count = static_cast<int>(way / kStep_m);
-    for (int i = 1; i <= count; ++i)
-      addPoint(
-          motion.mode,
-          underway::translate(motion.mode, motion.sense, motion.from, way * i / (count + 1)).to.position());
-  }
-
-  void addPointsRound(ModeId mode, Point at) {
-    for (int i = 0; i < 8; ++i) {
-      const double angle = i * std::numbers::pi / 4.0;
-      addPoint(mode, {at.x + shift_m_ * std::cos(angle), at.y + shift_m_ * std::sin(angle)});
+  void addCrossingsBeside(std::size_t i, double step_m, Station& station) const {
+    const bool is_start =
+        i == 1 && passage_.steps[0].option.out == station.options[0].in && !passage_.steps[1].way;
+    const bool is_goal = i + 2 == passage_.steps.size() &&
+                         passage_.steps.back().option.in == station.options[0].out &&
+                         !passage_.steps.back().way;
+    const bool starts_low = is_start && !robot_.modes[station.options[0].in_mode].canTurn();
+    const bool ends_low = is_goal && !robot_.modes[station.options[0].out_mode].canTurn();
+    const Route& motions = station.options[0].motions;
+    const Movable crossing({&checker_, stances_.policy(), stances_.atLeast()}, motions, starts_low, ends_low,
+                           keeping_.start_m, keeping_.goal_m);
+    for (const Movable::Move move : Movable::kMoves) {
+      const auto moved = crossing.moved(move, step_m);
+      if (moved && moved->isFree()) station.options.push_back(optionOf(*moved));
     }
   }
 
-  /// A mode that cannot turn has its whole line moved to either side.
-  void addLinesBeside(const Motion& motion) {
-    const bool along_x = motion.sense == Sense::kForward || motion.sense == Sense::kBackward;
-    for (const double aside : {-3.0 * shift_m_, -shift_m_, shift_m_, 3.0 * shift_m_}) {
-      const Pose moved = compose(motion.from, along_x ? Pose{0.0, aside, 0.0} : Pose{aside, 0.0, 0.0});
-      if (!checker_.isFree(stay(motion.mode, moved))) continue;
-      const auto waiting = rails_.addThrough(motion.mode, motion.sense, moved);
-      beside_.insert(beside_.end(), waiting.begin(), waiting.end());
+  /// Stops between two: near either, to cut its corner, and where a leg needs no turn at its other end.
+  void addBetween(std::size_t i, double step_m, Corridor& corridor) {
+    const Passage::Step& a = passage_.steps[i - 1];
+    const Passage::Step& b = passage_.steps[i];
+    const Point from = a.option.out.position();
+    const Point to = b.option.in.position();
+    const double way_m = distance(from, to);
+    Station station{{}, true, 2, b.legs};
+    const auto add = [&](Point at) {
+      if (distance(from, at) > 1e-6 && distance(at, to) > 1e-6)
+        station.options.push_back(Option::stop(at, robot_.margin_m));
+    };
+    const double away = kNearCorner * step_m / way_m;
+    if (away < 0.4) {
+      add({from.x + away * (to.x - from.x), from.y + away * (to.y - from.y)});
+      add({to.x + away * (from.x - to.x), to.y + away * (from.y - to.y)});
     }
+    const double before = i >= 2 && passage_.steps[i - 1].way ? a.arriving.yaw : a.leaving.yaw;
+    const double after = i + 1 < passage_.steps.size() && passage_.steps[i + 1].way
+                             ? passage_.steps[i + 1].arriving.yaw
+                             : b.option.in.yaw;
+    for (const double quarter : {0.0, 0.5 * std::numbers::pi}) {
+      add(ahead(from, before + quarter, to));
+      if (!b.option.any_heading || b.option.is_stop) add(ahead(to, after + quarter, from));
+    }
+    if (!station.options.empty()) corridor.push_back(std::move(station));
   }
 
-  void connect() {
-    for (const PlaceId place : beside_)
-      for (const Stop& stop : stops_)
-        if (stop.is_corner) connect({{place}, 0, 0, false}, stop);
-    for (std::size_t i = 0; i < stops_.size(); ++i)
-      for (std::size_t j = i + 1; j < stops_.size() && stops_[j].leg == stops_[i].leg; ++j)
-        if (areToConnect(i, j)) connect(stops_[i], stops_[j]);
-  }
-
-  [[nodiscard]] bool areToConnect(std::size_t i, std::size_t j) const {
-    if (shift_m_ > 0.0) return stops_[j].corner == stops_[i].corner + 1;
-    return j - i <= kReach || (stops_[i].is_corner && stops_[j].is_corner);
-  }
-
-  void connect(const Stop& a, const Stop& b) {
-    for (const PlaceId p : a.places)
-      for (const PlaceId q : b.places)
-        if (draft_.modeOf(p) == draft_.modeOf(q) && mayHelp(draft_.modeOf(p))) sites_.connect(p, q);
-  }
-
-  /// Moved corners stay in the modes the route uses, and by priority a mode lower than those only makes it
-  /// worse.
-  [[nodiscard]] bool mayHelp(ModeId mode) const {
-    if (!robot_.modes[mode].canTurn()) return false;
-    if (shift_m_ > 0.0) return is_used_[mode];
-    return policy_ != Policy::kPriority || mode <= lowest_mode_;
+  /// Where the line through a point along a heading comes closest to another.
+  [[nodiscard]] static Point ahead(Point from, double heading_rad, Point to) {
+    const Point axis{std::cos(heading_rad), std::sin(heading_rad)};
+    const double way = (to.x - from.x) * axis.x + (to.y - from.y) * axis.y;
+    return {from.x + way * axis.x, from.y + way * axis.y};
   }
 
   const Checker& checker_;
   const Robot& robot_;
-  Policy policy_;
-  const Route& route_;
-  const Keeping& keeping_;
-  double shift_m_;  // 0: connect the route's own points; else: try its corners moved by this
-  Draft draft_;
-  Sites sites_;
-  Rails rails_;
-  std::vector<PlaceId>
-      beside_;  // places at the ends of lines beside the route's, to be connected to every corner
-  ModeId lowest_mode_ = 0;
-  std::array<bool, kMaxModes> is_used_{};
-  std::vector<Stop> stops_;
-  std::size_t leg_ = 0;
-  std::size_t corner_ = 0;
-  PlaceId here_ = 0;
+  const Stances& stances_;
+  Keeping keeping_;
+  Passage passage_;
 };
 
 }  // namespace
 
-Route shortened(const Checker& checker, Policy policy, Route route, const Keeping& keeping,
-                Interrupt& interrupt) {
-  route = joined(checker, route);
-  const auto improve = [&](double shift_m) {
-    if (route.empty() || interrupt.isDueNow()) return;
-    Route next = joined(checker, Shortcuts(checker, policy, route, keeping, shift_m).best(interrupt));
-    if (costOf(checker.robot(), policy, next) < costOf(checker.robot(), policy, route))
-      route = std::move(next);
-  };
-  improve(0.0);
-  for (const double shift_m : kShifts_m) improve(shift_m);
-  return route;
+Passage shortened(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
+                  Interrupt& interrupt) {
+  return Shortening(checker, stances, std::move(passage), keeping).best(interrupt);
 }
 
 }  // namespace underway

@@ -2,22 +2,22 @@
 
 #include "geometry/checker.hpp"
 #include "planner/interrupt.hpp"
-#include "planner/route.hpp"
+#include "planner/passage.hpp"
+#include "planner/stances.hpp"
 
 namespace underway {
 
-/// What a shortened route must keep.
+/// What a shortened passage must keep.
 struct Keeping {
-  double start_m = 0.0;      ///< clearance on motions that begin at the start [m]
-  double goal_m = 0.0;       ///< clearance on motions that end at the goal [m]
-  double at_least_m = 0.0;   ///< clearance on all others, beyond the margin [m]
-  bool any_heading = false;  ///< at the goal
+  double start_m = 0.0;  ///< clearance on motions that begin at the start [m]
+  double goal_m = 0.0;   ///< clearance on motions that end at the goal [m]
 };
 
-/// A route that costs no more: the best one through the route's own points and points close to them. It is
-/// found as any route is, on a small roadmap made of those points, which holds the old route too; repeated
-/// with ever closer points. When interrupted, the best so far.
-[[nodiscard]] Route shortened(const Checker& checker, Policy policy, Route route, const Keeping& keeping,
-                              Interrupt& interrupt);
+/// A passage that costs no more under the policy of `stances`: stops are left out, moved and added, and
+/// crossings moved along and beside their lines, as long as that helps. Each round lays a corridor of choices
+/// round the passage and takes the cheapest way through it; the choices come ever closer. When interrupted,
+/// the best so far.
+[[nodiscard]] Passage shortened(const Checker& checker, const Stances& stances, Passage passage,
+                                const Keeping& keeping, Interrupt& interrupt);
 
 }  // namespace underway

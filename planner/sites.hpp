@@ -1,43 +1,43 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "geometry/checker.hpp"
 #include "planner/draft.hpp"
+#include "planner/stances.hpp"
 
 namespace underway {
 
-/// Modes that change into each other where they stand, and turn: they share their positions. By mode,
-/// ascending, the mode itself included; a mode that cannot turn has only itself.
-[[nodiscard]] std::vector<std::vector<ModeId>> companionsOf(const Robot& robot);
-
-/// Adds places to a draft and connects them. Growth, attachment and shortening all build through it; they
-/// differ in where the places are and in when the connections are checked.
+/// Adds places to a draft and connects them. Growth and attachment build through it; they differ in where the
+/// places are and in when the legs are checked.
 class Sites {
  public:
   using PlaceId = Draft::PlaceId;
+  enum class Check { kNow, kWhenUsed };
 
   /// All must outlive it.
-  Sites(const Checker& checker, Draft& draft, Draft::Check check);
+  Sites(const Stances& stances, Draft& draft, Check check);
 
-  /// A position in a mode and all its companions. The place in `mode` comes first.
-  std::vector<PlaceId> add(ModeId mode, Point at, double keep_m);
+  /// A position for a mode and all its companions.
+  PlaceId add(ModeId mode, Point at, double keep_m);
 
-  /// Translations between two places of one mode, at each heading that its senses allow; those that are not
-  /// free are left out (Check::kNow) or left to the search. Returns whether there are any.
+  /// Legs between two places of one group, by each way that is free (Check::kNow) or that the search may try.
+  /// Returns whether there are any.
   bool connect(PlaceId a, PlaceId b);
   /// The same to the best of several, nearest first: one in each direction of the compass, and all that join
   /// parts of the roadmap that were apart.
   void connectAround(PlaceId place, std::span<const PlaceId> neighbours);
 
  private:
-  [[nodiscard]] bool isFree(PlaceId a, PlaceId b, double yaw, Sense sense) const;
-
-  const Checker& checker_;
+  const Stances& stances_;
   Draft& draft_;
-  Draft::Check check_;
-  std::vector<std::vector<ModeId>> companions_;
+  Check check_;
 };
+
+/// Which ways of legs between two points are free, keeping a clearance; those of legs the other way are taken
+/// over where they cover the same ground.
+[[nodiscard]] Roadmap::Ways freeWays(const Legs& legs, Point from, Point to, double keep_m,
+                                     const Roadmap::Ways* back);
 
 }  // namespace underway

@@ -138,11 +138,11 @@ TEST(DrawSvg, ALargeRoadmapIsThinnedOut) {
   const World world = makeWorld({});
   Roadmap roadmap;
   for (std::uint32_t i = 0; i < 50'000; ++i) {
-    roadmap.nodes.push_back({{0.0001 * i, 1.0, 0.0}, 0});
-    roadmap.first_edge.push_back(i);
-    roadmap.edges.push_back({(i + 1) % 50'000, MotionKind::kTranslate, Sense::kForward});
+    roadmap.places.push_back({.at = {0.0001 * i, 1.0}});
+    roadmap.links.push_back({.from = i, .to = (i + 1) % 50'000});
+    roadmap.ways.push_back(1);
   }
-  roadmap.first_edge.push_back(50'000);
+  roadmap.count();
   const std::string svg = drawSvg({world, robot, &roadmap});
   EXPECT_LT(svg.size(), 200'000U);
   EXPECT_NE(svg.find("50000 nodes, 50000 edges"), std::string::npos);

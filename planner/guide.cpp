@@ -1,0 +1,61 @@
+#include "planner/guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace underway {
+
+using PlaceId = Roadmap::PlaceId;
+
+Guide::Guide(const Draft& graph, const Stances& stances, Policy policy, PlaceId start, PlaceId goal)
+    : graph_(graph),
+      stances_(stances),
+      policy_(policy),
+      start_(graph.place(start).at),
+      us_per_m_(1e6 / stances.highestSpeed()),
+      least_(graph.placeCount(), Cost::most()),
+      is_settled_(graph.placeCount(), 0) {
+  reach(goal, Cost());
+}
+
+Cost Guide::from(PlaceId place) {
+  while (!is_settled_[place] && !open_.empty()) settleNext();
+  return is_settled_[place] ? least_[place] : Cost::most();
+}
+
+void Guide::reach(PlaceId place, Cost cost) {
+  if (is_settled_[place] || cost >= least_[place]) return;
+  least_[place] = cost;
+  const double way_m = distance(graph_.place(place).at, start_);
+  open_.push_back({cost + Cost::time(static_cast<std::uint64_t>(way_m * us_per_m_)), place});
+  std::push_heap(open_.begin(), open_.end());
+}
+
+Cost Guide::cheapest(const Roadmap::Link& link, Roadmap::Ways ways) const {
+  const Legs& legs = stances_.ofGroup(graph_.place(link.from).group);
+  Cost least = Cost::most();
+  for (std::size_t way = 0; ways >> way != 0; ++way)
+    if ((ways >> way & 1U) != 0) least = std::min(least, legs.legCost(legs.ways()[way], link.length_m));
+  return least;
+}
+
+void Guide::settleNext() {
+  const PlaceId here = open_.front().place;
+  std::pop_heap(open_.begin(), open_.end());
+  open_.pop_back();
+  if (is_settled_[here]) return;
+  is_settled_[here] = 1;
+  const Cost cost = least_[here];
+  graph_.forEachLinkFrom(here, [&](Roadmap::LinkId id) {
+    const Roadmap::Link& link = graph_.link(id);
+    if (link.twin == Roadmap::kNone || is_settled_[link.to]) return;
+    const Roadmap::Ways ways = graph_.ways(link.twin);
+    if (ways != 0) reach(link.to, cost + cheapest(graph_.link(link.twin), ways));
+  });
+  graph_.forEachCrossingTo(here, [&](Roadmap::LinkId id) {
+    if (graph_.ways(id) != 0)
+      reach(graph_.link(id).from, cost + graph_.crossing(graph_.link(id)).cost(policy_));
+  });
+}
+
+}  // namespace underway

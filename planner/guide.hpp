@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planner/draft.hpp"
+#include "planner/sites.hpp"
+
+namespace underway {
+
+/// A lower bound of what is left from each place to the goal: the cheapest way over links, as if turning and
+/// changing modes cost nothing. It is consistent under every policy, since a change at a place costs nothing
+/// less. Worked out as far as it is asked for, by A* from the goal towards the start.
+class Guide {
+ public:
+  /// All must outlive it.
+  Guide(const Draft& graph, const Stances& stances, Policy policy, Roadmap::PlaceId start,
+        Roadmap::PlaceId goal);
+
+  /// Cost::most() where no links lead to the goal.
+  [[nodiscard]] Cost from(Roadmap::PlaceId place);
+
+ private:
+  struct Open {
+    Cost bound;
+    Roadmap::PlaceId place;
+    bool operator<(const Open& other) const {
+      return bound > other.bound || (bound == other.bound && place > other.place);
+    }
+  };
+  void settleNext();
+  void reach(Roadmap::PlaceId place, Cost cost);
+  [[nodiscard]] Cost cheapest(const Roadmap::Link& link, Roadmap::Ways ways) const;
+
+  const Draft& graph_;
+  const Stances& stances_;
+  Policy policy_;
+  Point start_;
+  double us_per_m_;  // at the robot's highest speed
+  std::vector<Cost> least_;
+  std::vector<char> is_settled_;
+  std::vector<Open> open_;  // a heap
+};
+
+}  // namespace underway

@@ -1,0 +1,168 @@
+#include "planner/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "planner/grow.hpp"
+#include "planner/guide.hpp"
+#include "tests/planner/fixture.hpp"
+
+namespace underway {
+namespace {
+
+Roadmap grown(const Checker& checker, std::uint64_t seed, unsigned batches) {
+  Growth growth(checker, {seed, 3.0});
+  for (unsigned i = 0; i < batches; ++i) growth.addBatch();
+  return growth.freeze();
+}
+
+/// A pose in a mode on a roadmap: where a link's way leads to.
+struct Posed {
+  Roadmap::PlaceId place;
+  Stance stance;
+};
+
+/// All that can be reached and what it costs, by relaxing every way on until nothing changes: slow and
+/// obvious.
+class Relaxed {
+ public:
+  Relaxed(const Checker& checker, const Roadmap& roadmap, const Stances& stances, const Posed& start)
+      : roadmap_(roadmap), stances_(stances) {
+    for (Roadmap::LinkId id = 0; id < roadmap.links.size(); ++id)
+      for (std::size_t way = 0; roadmap.ways[id] >> way != 0; ++way)
+        if ((roadmap.ways[id] >> way & 1U) != 0) states_.push_back({id, way, Cost::most()});
+    for (State& state : states_) state.cost = costFrom(start, Cost(), state);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const State& from : states_) {
+        if (from.cost == Cost::most()) continue;
+        for (State& to : states_) {
+          if (roadmap.links[to.link].from != roadmap.links[from.link].to) continue;
+          const Cost cost = costFrom({roadmap.links[from.link].to, exitOf(from)}, from.cost, to);
+          if (cost < to.cost) to.cost = cost, changed = true;
+        }
+      }
+    }
+    static_cast<void>(checker);
+  }
+
+  [[nodiscard]] Cost costTo(const Posed& goal) const {
+    Cost least = Cost::most();
+    const Roadmap::Place& place = roadmap_.places[goal.place];
+    for (const State& state : states_) {
+      if (roadmap_.links[state.link].to != goal.place || state.cost == Cost::most()) continue;
+      const Cost change =
+          stances_.ofGroup(place.group).freeChangeCost(place.at, exitOf(state), goal.stance, place.keep_m);
+      least = std::min(least, state.cost + change);
+    }
+    return least;
+  }
+
+ private:
+  struct State {
+    Roadmap::LinkId link;
+    std::size_t way;
+    Cost cost;
+  };
+
+  [[nodiscard]] Stance exitOf(const State& state) const {
+    const Roadmap::Link& link = roadmap_.links[state.link];
+    if (link.crossing == Roadmap::kNone)
+      return stances_.ofGroup(roadmap_.places[link.from].group).stanceOn(link.direction_rad, state.way);
+    const Crossing& crossing = roadmap_.crossings[link.crossing];
+    return {crossing.exit().yaw, crossing.exitMode()};
+  }
+
+  [[nodiscard]] Cost costFrom(const Posed& here, Cost so_far, const State& next) const {
+    const Roadmap::Link& link = roadmap_.links[next.link];
+    if (link.from != here.place) return Cost::most();
+    const Roadmap::Place& place = roadmap_.places[here.place];
+    const Legs& legs = stances_.ofGroup(place.group);
+    if (link.crossing != Roadmap::kNone) {
+      const Crossing& crossing = roadmap_.crossings[link.crossing];
+      const Stance entry{crossing.entry().yaw, crossing.entryMode()};
+      return so_far + legs.freeChangeCost(place.at, here.stance, entry, place.keep_m) +
+             crossing.cost(stances_.policy());
+    }
+    const Stance on_leg = legs.stanceOn(link.direction_rad, next.way);
+    return so_far + legs.freeChangeCost(place.at, here.stance, on_leg, place.keep_m) +
+           legs.legCost(legs.ways()[next.way], link.length_m);
+  }
+
+  const Roadmap& roadmap_;
+  const Stances& stances_;
+  std::vector<State> states_;
+};
+
+class SearchIn : public ::testing::TestWithParam<const char*> {
+ protected:
+  Checker checker{test::ourWorld(GetParam()), test::nao()};
+  Roadmap roadmap = grown(checker, 5, 2);
+};
+
+TEST_P(SearchIn, CostsWhatRelaxingEveryWayFinds) {
+  const Draft graph(&roadmap);
+  Interrupt never(test::soon(), {});
+  for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
+    const Stances stances(checker, policy);
+    LinkChecks checks(graph, checker);
+    const Posed start{0, {0.3, 0}};
+    const Relaxed slow(checker, roadmap, stances, start);
+    for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 7) {
+      const Posed goal{place, {-1.1, 0}};
+      const Target target{start.place, start.stance, place, goal.stance, false};
+      const auto dut = search(graph, stances, *test::nao(), checks, target, never);
+      const Cost least = slow.costTo(goal);
+      ASSERT_EQ(dut.has_value(), least != Cost::most()) << "place " << place;
+      // Turns near contact may be told apart by 1e-7 rad; the order of sums is the same.
+      if (dut) ASSERT_EQ(dut->cost, least) << "place " << place;
+    }
+  }
+}
+
+TEST_P(SearchIn, IsGuidedByABoundThatIsConsistentOnEveryLink) {
+  const Draft graph(&roadmap);
+  for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
+    const Stances stances(checker, policy);
+    Guide guide(graph, stances, policy, 0, 1);
+    for (Roadmap::LinkId id = 0; id < roadmap.links.size(); ++id) {
+      const Roadmap::Link& link = roadmap.links[id];
+      const Legs& legs = stances.ofGroup(roadmap.places[link.from].group);
+      for (std::size_t way = 0; roadmap.ways[id] >> way != 0; ++way) {
+        if ((roadmap.ways[id] >> way & 1U) == 0) continue;
+        const Cost step = link.crossing == Roadmap::kNone ? legs.legCost(legs.ways()[way], link.length_m)
+                                                          : roadmap.crossings[link.crossing].cost(policy);
+        ASSERT_LE(guide.from(link.from), step + guide.from(link.to));
+      }
+    }
+  }
+}
+
+TEST_P(SearchIn, CostsNoLessWithLinksClosedAndNoMoreWithThemOpenAgain) {
+  std::mt19937 random(3);
+  const Stances stances(checker, Policy::kFastest);
+  Interrupt never(test::soon(), {});
+  Roadmap closed = roadmap;
+  for (Roadmap::LinkId id = 0; id < closed.links.size(); ++id)
+    if (random() % 6 == 0) closed.ways[id] = 0;
+  const Draft before(&roadmap);
+  const Draft after(&closed);
+  LinkChecks checks_before(before, checker);
+  LinkChecks checks_after(after, checker);
+  for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 5) {
+    const Target target{0, {0.0, 0}, place, {1.0, 0}, false};
+    const auto open = search(before, stances, *test::nao(), checks_before, target, never);
+    const auto dut = search(after, stances, *test::nao(), checks_after, target, never);
+    if (dut) {
+      ASSERT_TRUE(open.has_value());
+      ASSERT_LE(open->cost, dut->cost);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OurMaps, SearchIn, ::testing::Values("scenario1", "scenario2a", "scenario3"));
+
+}  // namespace
+}  // namespace underway
