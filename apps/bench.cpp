@@ -1,5 +1,6 @@
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
+#include "bench/peer_queries.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -18,16 +20,47 @@ constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
+    "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
     "  underway bench geometry --quick\n"
-    "  underway bench geometry --grid office.pgm --resolution-m 0.05";
+    "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
+    "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
   std::string name;
   std::string json;
-  bench::GeometryOptions geometry;
+  bool quick = false;
+  std::string grid;
+  std::optional<double> resolution_m;
+  std::string peers;
+  std::string maps2d;
 };
+
+/// Which options are for which benchmarks: what is given to another would be passed over in silence.
+struct Belongs {
+  const char* option;
+  bool is_given;
+  std::vector<std::string_view> benchmarks;
+};
+
+/// A sentence about the first option that does not belong to the benchmark.
+std::optional<std::string> misplaced(const Arguments& arguments) {
+  const std::vector<Belongs> options{
+      {"--quick", arguments.quick, {"geometry", "peers"}},
+      {"--grid", !arguments.grid.empty(), {"geometry"}},
+      {"--resolution-m", arguments.resolution_m.has_value(), {"geometry"}},
+      {"--peers", !arguments.peers.empty(), {"peers"}},
+      {"--maps2d", !arguments.maps2d.empty(), {"peers"}},
+  };
+  for (const Belongs& option : options)
+    if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
+                               option.benchmarks.end())
+      return fmt::format("{} is not for `underway bench {}`; leave it out", option.option, arguments.name);
+  if (arguments.name == "peers" && arguments.peers.empty())
+    return "`underway bench peers` needs --peers, the folder of their queries";
+  return std::nullopt;
+}
 
 /// As many digits as say something: "0.021", "31.5", "1482", "1.6e-06".
 std::string brief(double number) {
@@ -65,17 +98,18 @@ std::string tableOf(const bench::Report& report) {
 Expected<bench::Report> measure(const Arguments& arguments) {
   ProgressBar bar("measuring");
   const auto progress = [&](double share) { bar.show(share); };
-  if (arguments.name == "geometry") return bench::geometry(arguments.geometry, progress);
+  if (arguments.name == "geometry")
+    return bench::geometry({arguments.quick, arguments.grid, arguments.resolution_m}, progress);
+  if (arguments.name == "peers")
+    return bench::peerQueries({arguments.peers, arguments.maps2d, arguments.quick}, progress);
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
   return bench::scenarios(*data, progress);
 }
 
 ExitCode run(const Arguments& arguments) {
-  const bool has_geometry_options =
-      arguments.geometry.quick || !arguments.geometry.grid.empty() || arguments.geometry.resolution_m;
-  if (arguments.name != "geometry" && has_geometry_options) {
-    complain("--quick, --grid and --resolution-m are for `underway bench geometry`; leave them out");
+  if (const auto sentence = misplaced(arguments)) {
+    complain(*sentence);
     return ExitCode::kInvalidInput;
   }
   const auto report = measure(arguments);
@@ -93,14 +127,16 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "geometry"}));
+      ->check(CLI::IsMember({"scenarios", "geometry", "peers"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
-  command.add_flag("--quick", arguments->geometry.quick, "geometry: a hundredth of the random cases");
-  command.add_option("--grid", arguments->geometry.grid, "geometry: a large grid map (YAML, or an image)")
+  command.add_flag("--quick", arguments->quick, "A small share of the cases");
+  command.add_option("--grid", arguments->grid, "geometry: a large grid map (YAML, or an image)")
       ->type_name("FILE");
-  command.add_option("--resolution-m", arguments->geometry.resolution_m, "geometry: cell size of an image")
+  command.add_option("--resolution-m", arguments->resolution_m, "geometry: cell size of an image")
       ->type_name("R");
+  command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
+  command.add_option("--maps2d", arguments->maps2d, "peers: folder of their maps")->type_name("DIR");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }
