@@ -11,6 +11,7 @@
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
 #include "bench/peer_queries.hpp"
+#include "bench/planner.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -20,11 +21,13 @@ constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
+    "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
     "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
     "  underway bench geometry --quick\n"
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
+    "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
@@ -35,6 +38,8 @@ struct Arguments {
   std::optional<double> resolution_m;
   std::string peers;
   std::string maps2d;
+  std::string only;
+  double own_s = 0.0;
 };
 
 /// Which options are for which benchmarks: what is given to another would be passed over in silence.
@@ -47,11 +52,13 @@ struct Belongs {
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
-      {"--quick", arguments.quick, {"geometry", "peers"}},
+      {"--quick", arguments.quick, {"geometry", "peers", "planner"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.resolution_m.has_value(), {"geometry"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
-      {"--maps2d", !arguments.maps2d.empty(), {"peers"}},
+      {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
+      {"--only", !arguments.only.empty(), {"planner"}},
+      {"--own-s", arguments.own_s > 0.0, {"planner"}},
   };
   for (const Belongs& option : options)
     if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
@@ -104,6 +111,9 @@ Expected<bench::Report> measure(const Arguments& arguments) {
     return bench::peerQueries({arguments.peers, arguments.maps2d, arguments.quick}, progress);
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "planner")
+    return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
+                          progress);
   return bench::scenarios(*data, progress);
 }
 
@@ -127,7 +137,7 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "geometry", "peers"}));
+      ->check(CLI::IsMember({"scenarios", "geometry", "peers", "planner"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
@@ -136,7 +146,14 @@ Command addBenchCommand(CLI::App& program) {
   command.add_option("--resolution-m", arguments->resolution_m, "geometry: cell size of an image")
       ->type_name("R");
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
-  command.add_option("--maps2d", arguments->maps2d, "peers: folder of their maps")->type_name("DIR");
+  command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
+      ->type_name("DIR");
+  command.add_option("--only", arguments->only, "planner: one part of it")
+      ->check(CLI::IsMember(bench::plannerParts()));
+  command
+      .add_option("--own-s", arguments->own_s,
+                  "planner: help the oracle with the planner's own best after S seconds")
+      ->type_name("S");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

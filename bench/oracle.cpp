@@ -67,7 +67,8 @@ Lattice& Oracle::lattice(Policy policy, double margin_m) {
   return *lattice;
 }
 
-std::vector<Route> Oracle::routes(const std::vector<Request>& requests, const Progress& progress) {
+std::vector<Route> Oracle::routes(const std::vector<Request>& requests, const Progress& progress,
+                                  std::size_t most) {
   std::vector<Route> routes;
   if (requests.empty()) return routes;
   const Policy policy = searchedPolicy(requests.front().policy);
@@ -78,6 +79,7 @@ std::vector<Route> Oracle::routes(const std::vector<Request>& requests, const Pr
   for (const Request& request : requests) {
     const Keep keep(checker_, request, margin_m);
     routes.push_back(better(request, onLattice(searched, flood, keep, request), margin_m));
+    if (!routes.back().empty() && --most == 0) break;
   }
   return routes;
 }

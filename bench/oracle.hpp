@@ -35,9 +35,10 @@ class Oracle {
   Oracle(const Checker& checker, const OracleSettings& settings);
 
   /// The best routes from one start to many goals. `requests` have the same start, start mode and policy;
-  /// kSafest one request only. A route that is empty says that none was found. Detours are not limited.
-  [[nodiscard]] std::vector<Route> routes(const std::vector<Request>& requests,
-                                          const Progress& progress = {});
+  /// kSafest one request only. A route that is empty says that none was found; after `most` that are not it
+  /// stops. Detours are not limited.
+  [[nodiscard]] std::vector<Route> routes(const std::vector<Request>& requests, const Progress& progress = {},
+                                          std::size_t most = ~std::size_t{0});
   /// The best route, found from the lattice alone: empty if none is.
   [[nodiscard]] Route route(const Request& request, const Progress& progress = {});
   /// The same, shortened from a route somebody else found, if that makes a better one. `route` may be empty.
