@@ -29,14 +29,8 @@ Spent spentOn(const Robot& robot, const Route& route) {
 
 /// The cheapest way over the lattice to a request's goal; empty if there is none.
 Route onLattice(const Lattice& lattice, const Flood& flood, const Keep& keep, const Request& request) {
-  const Spur* best = nullptr;
-  Cost cost = Cost::most();
   const auto ways = waysToGoal(lattice, keep, request);
-  for (const Spur& way : ways) {
-    if (flood.cost(way.node) == Cost::most() || flood.cost(way.node) + way.cost >= cost) continue;
-    cost = flood.cost(way.node) + way.cost;
-    best = &way;
-  }
+  const Spur* best = flood.best(ways);
   if (best == nullptr) return {};
   Route route = flood.route(best->node);
   route.insert(route.end(), best->route.begin(), best->route.end());
@@ -101,7 +95,8 @@ Route Oracle::better(const Request& request, const Route& route, double margin_m
 Route Oracle::routeKeeping(const Request& request, double margin_m) {
   Lattice& searched = lattice(Policy::kFastest, margin_m);
   const Keep keep(checker_, request, margin_m);
-  const Flood flood(searched, waysFromStart(searched, keep, request));
+  const Flood flood(searched, waysFromStart(searched, keep, request), {},
+                    waysToGoal(searched, keep, request));
   return better(request, onLattice(searched, flood, keep, request), margin_m);
 }
 
@@ -111,8 +106,9 @@ double Oracle::largestMargin(const Request& request) {
     const double margin_m = std::min(kEnoughClearance_m, least_m + step * settings_.clearance_step_m);
     Lattice& searched = lattice(Policy::kFastest, margin_m);
     const Keep keep(checker_, request, margin_m);
-    const Flood flood(searched, waysFromStart(searched, keep, request));
-    return !onLattice(searched, flood, keep, request).empty();
+    const auto goals = waysToGoal(searched, keep, request);
+    return !goals.empty() &&
+           Flood(searched, waysFromStart(searched, keep, request), {}, goals).best(goals) != nullptr;
   };
   int lacks = 1 + static_cast<int>(std::ceil((kEnoughClearance_m - least_m) / settings_.clearance_step_m));
   if (reaches(lacks - 1)) return kEnoughClearance_m;

@@ -196,19 +196,20 @@ std::vector<Spur> bridgesFrom(Lattice& lattice, Lattice::Node node) {
       bridges.push_back(std::move(spur));
     }
   };
-  for (const Switch& down : lattice.checker().robot().switches) {
+  const Robot& robot = lattice.checker().robot();
+  for (std::size_t i = 0; i < robot.switches.size(); ++i) {
+    const Switch& down = robot.switches[i];
     const GaitId to = gaits.of_mode[down.to];
-    if (gaits.of_mode[down.from] != gait || to == gait) continue;
+    if (gaits.of_mode[down.from] != gait || to == gait || !lattice.maySwitch(node, i)) continue;
+    const bool is_rail = !gaits.all[to].turning;
+    if (is_rail && further && isOneWay(robot.modes[down.to]) &&
+        isWalkingBetter(lattice, gait, down.to, Sense::kForward) && lattice.maySwitch(*further, i))
+      continue;
     const Motion motion = switchModes(down, lattice.pose(node));
-    if (!keep.isFree(motion)) continue;
-    if (gaits.all[to].turning) {
+    if (!is_rail) {
       land({motion}, motion.to, to);
       continue;
     }
-    if (further && isOneWay(lattice.checker().robot().modes[down.to]) &&
-        isWalkingBetter(lattice, gait, down.to, Sense::kForward) &&
-        keep.isFree(switchModes(down, lattice.pose(*further))))
-      continue;
     for (RailExit& exit : railExits(lattice, keep, down.to, motion.to, gait)) {
       exit.route.insert(exit.route.begin(), motion);
       land(std::move(exit.route), exit.pose, exit.gait);

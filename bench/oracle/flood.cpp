@@ -4,14 +4,15 @@
 
 namespace underway::bench {
 
-Flood::Flood(Lattice& lattice, const std::vector<Spur>& sources, const Progress& progress)
+Flood::Flood(Lattice& lattice, const std::vector<Spur>& sources, const Progress& progress,
+             const std::vector<Spur>& goals)
     : lattice_(&lattice),
       cost_(lattice.size(), Cost::most()),
       from_(lattice.size(), kNowhere),
       step_(lattice.size(), kNone) {
   for (const Spur& source : sources)
     if (reach(source.node, source.cost, kNowhere, kJump)) jump_[source.node] = source.route;
-  spread(progress);
+  spread(progress, goals);
 }
 
 bool Flood::reach(Lattice::Node node, Cost cost, Lattice::Node from, Lattice::Step step) {
@@ -24,7 +25,24 @@ bool Flood::reach(Lattice::Node node, Cost cost, Lattice::Node from, Lattice::St
   return true;
 }
 
-void Flood::spread(const Progress& progress) {
+const Spur* Flood::best(const std::vector<Spur>& goals) const {
+  const Spur* best = nullptr;
+  Cost least = Cost::most();
+  for (const Spur& goal : goals)
+    if (cost_[goal.node] != Cost::most() && cost_[goal.node] + goal.cost < least) {
+      least = cost_[goal.node] + goal.cost;
+      best = &goal;
+    }
+  return best;
+}
+
+void Flood::spread(const Progress& progress, const std::vector<Spur>& goals) {
+  std::unordered_map<Lattice::Node, Cost> ways_on;  // the cheapest from each node
+  for (const Spur& goal : goals) {
+    const auto [known, is_new] = ways_on.try_emplace(goal.node, goal.cost);
+    if (!is_new) known->second = std::min(known->second, goal.cost);
+  }
+  Cost enough = Cost::most();
   constexpr std::size_t kRoundsPerTelling = 1 << 16;
   std::size_t settled = 0;
   while (!heap_.empty()) {
@@ -32,6 +50,9 @@ void Flood::spread(const Progress& progress) {
     const Waiting next = heap_.back();
     heap_.pop_back();
     if (next.cost > cost_[next.node]) continue;
+    if (next.cost >= enough) return;
+    if (const auto way = ways_on.find(next.node); way != ways_on.end())
+      enough = std::min(enough, next.cost + way->second);
     if (++settled % kRoundsPerTelling == 0 && progress)
       progress(static_cast<double>(settled) / static_cast<double>(lattice_->size()));
     relaxSteps(next.node);

@@ -15,8 +15,13 @@ using Progress = std::function<void(double)>;
 /// The cheapest way on the lattice from a start to every node, by Dijkstra.
 class Flood {
  public:
-  /// The lattice must outlive it; its steps are checked as they are needed.
-  Flood(Lattice& lattice, const std::vector<Spur>& sources, const Progress& progress = {});
+  /// The lattice must outlive it; its steps are checked as they are needed. With `goals`, the ways that lead
+  /// on from nodes to one goal, it ends as soon as nothing cheaper leads to the goal.
+  Flood(Lattice& lattice, const std::vector<Spur>& sources, const Progress& progress = {},
+        const std::vector<Spur>& goals = {});
+
+  /// The best of the goals, after its end; none can be reached: nullptr.
+  [[nodiscard]] const Spur* best(const std::vector<Spur>& goals) const;
 
   /// Cost::most() if it cannot be reached.
   [[nodiscard]] Cost cost(Lattice::Node node) const { return cost_[node]; }
@@ -33,7 +38,7 @@ class Flood {
   static constexpr Lattice::Step kNone = 0xff;
   static constexpr Lattice::Node kNowhere = ~Lattice::Node{0};
 
-  void spread(const Progress& progress);
+  void spread(const Progress& progress, const std::vector<Spur>& goals);
   void relaxSteps(Lattice::Node node);
   void relaxBridges(Lattice::Node node);
   bool reach(Lattice::Node node, Cost cost, Lattice::Node from, Lattice::Step step);

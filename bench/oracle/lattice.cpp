@@ -9,6 +9,7 @@ namespace underway::bench {
 namespace {
 
 constexpr std::uint8_t kNotChecked = 0xff;
+constexpr std::uint64_t kNoneChecked = ~std::uint64_t{0};
 
 Sense senseOf(Lattice::Step step) { return static_cast<Sense>(step); }
 
@@ -25,7 +26,9 @@ Lattice::Lattice(const Checker& checker, const LatticeSettings& settings)
   spot_of_cell_.resize(gaits_.all.size());
   for (std::size_t i = 0; i < gaits_.all.size(); ++i)
     if (gaits_.all[i].turning) placeGait(static_cast<GaitId>(i));
+  if (checker.robot().switches.size() > 63) throw std::invalid_argument("a lattice knows up to 63 switches");
   free_steps_.assign(size(), kNotChecked);
+  if (settings.has_bridges) free_switches_.assign(size(), kNoneChecked);
   costSteps();
 }
 
@@ -160,6 +163,27 @@ std::optional<Lattice::Node> Lattice::stepped(Node node, Step step) {
   if (free_steps_[node] == kNotChecked) free_steps_[node] = checkedSteps(node);
   if ((free_steps_[node] >> step & 1) == 0) return std::nullopt;
   return neighbour(node, step);
+}
+
+std::uint64_t Lattice::checkedSwitches(Node node) const {
+  const auto& switches = checker_->robot().switches;
+  std::vector<Motion> motions;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    if (gaits_.of_mode[switches[i].from] != gait(node) || gaits_.of_mode[switches[i].to] == gait(node))
+      continue;
+    motions.push_back(switchModes(switches[i], pose(node)));
+    of.push_back(i);
+  }
+  const std::vector<char> are_free = checker_->areFree(motions, settings_.margin_m);
+  std::uint64_t free = 0;
+  for (std::size_t i = 0; i < of.size(); ++i) free |= std::uint64_t{are_free[i] != 0} << of[i];
+  return free;
+}
+
+bool Lattice::maySwitch(Node node, std::size_t change) {
+  if (free_switches_[node] == kNoneChecked) free_switches_[node] = checkedSwitches(node);
+  return (free_switches_[node] >> change & 1) != 0;
 }
 
 }  // namespace underway::bench

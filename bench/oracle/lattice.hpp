@@ -63,6 +63,8 @@ class Lattice {
   /// Where a free step leads; empty if it is not free or the gait does not have it.
   [[nodiscard]] std::optional<Node> stepped(Node node, Step step);
   [[nodiscard]] Motion motion(Node from, Step step, Node to) const;
+  /// Whether a switch to another gait, by its index into Robot::switches, is free from a node.
+  [[nodiscard]] bool maySwitch(Node node, std::size_t change);
   [[nodiscard]] Cost cost(Node from, Step step) const {
     return cost_[(std::size_t{gait(from)} * headings_.size() + from % headings_.size()) * kSteps + step];
   }
@@ -79,6 +81,7 @@ class Lattice {
   void costSteps();
   [[nodiscard]] std::optional<Node> neighbour(Node node, Step step) const;
   [[nodiscard]] std::uint8_t checkedSteps(Node node) const;
+  [[nodiscard]] std::uint64_t checkedSwitches(Node node) const;
 
   const Checker* checker_;
   LatticeSettings settings_;
@@ -88,8 +91,9 @@ class Lattice {
   int rows_;
   std::vector<std::vector<std::int32_t>> spot_of_cell_;  // by gait; empty if it does not turn; -1: not free
   std::vector<Spot> spots_;
-  std::vector<std::uint8_t> free_steps_;  // by node; kNotChecked at first
-  std::vector<Cost> cost_;                // by gait, heading and step
+  std::vector<std::uint8_t> free_steps_;      // by node; kNotChecked at first
+  std::vector<std::uint64_t> free_switches_;  // by node, by index; kNotChecked at first
+  std::vector<Cost> cost_;                    // by gait, heading and step
 };
 
 }  // namespace underway::bench
