@@ -2,10 +2,9 @@
 
 #include <array>
 #include <chrono>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
+#include "bench/number_table.hpp"
 #include "geometry/map.hpp"
 #include "planner/planner.hpp"
 
@@ -33,38 +32,15 @@ struct PeerQuery {
   double best_s = 0.0;  ///< cost of the best plan of any peer
 };
 
-/// The columns that are used, by their place in the file.
-enum Column {
-  kStartX = 1,
-  kStartY,
-  kStartYaw,
-  kGoalX,
-  kGoalY,
-  kGoalYaw,
-  kSbplBest = 9,
-  kBest = 11,
-  kColumns
-};
-
-Expected<std::vector<PeerQuery>> readQueries(const fs::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line))
-    return fail(ErrorCode::kInvalidMap,
-                file.string() + ": cannot be read; name the folder with the peers' queries");
+Expected<std::vector<PeerQuery>> readPeerQueries(const fs::path& file) {
+  static const std::vector<std::string> kColumns{
+      "start_x", "start_y",  "start_yaw",           "goal_x",
+      "goal_y",  "goal_yaw", "sbpl_best_1s_cost_s", "best_known_cost_s"};
+  const auto rows = readNumbers(file, kColumns);
+  if (!rows) return tl::unexpected(rows.error());
   std::vector<PeerQuery> queries;
-  while (std::getline(in, line)) {
-    std::vector<double> numbers;
-    std::istringstream cells(line);
-    for (std::string cell; std::getline(cells, cell, ',');)
-      numbers.push_back(std::strtod(cell.c_str(), nullptr));
-    if (numbers.size() < kColumns)
-      return fail(ErrorCode::kInvalidMap, file.string() + ": a line has too few columns: " + line);
-    queries.push_back({{numbers[kStartX], numbers[kStartY], numbers[kStartYaw]},
-                       {numbers[kGoalX], numbers[kGoalY], numbers[kGoalYaw]},
-                       numbers[kSbplBest],
-                       numbers[kBest]});
-  }
+  for (const auto& row : *rows)
+    queries.push_back({{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6], row[7]});
   return queries;
 }
 
@@ -150,7 +126,7 @@ Expected<Report> peerQueries(const PeerOptions& options, const std::function<voi
   const fs::path maps = options.maps2d.empty() ? options.peers / ".." / "maps" / "maps2d" : options.maps2d;
   Report report{"peers", {}};
   for (std::size_t i = 0; i < kBuildings.size(); ++i) {
-    auto queries = readQueries(options.peers / kBuildings[i].queries);
+    auto queries = readPeerQueries(options.peers / kBuildings[i].queries);
     if (!queries) return tl::unexpected(queries.error());
     if (options.quick) queries->resize((queries->size() + 4) / 5);
     const auto map = readMap(maps / kBuildings[i].map);

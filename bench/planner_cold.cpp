@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "bench/planner_parts.hpp"
+#include "bench/planners.hpp"
 #include "bench/requests.hpp"
 
 namespace underway::bench {
@@ -7,6 +10,25 @@ namespace {
 constexpr unsigned long kSeeds = 1000;
 constexpr unsigned long kQuickSeeds = 50;
 constexpr std::chrono::seconds kDeadline{10};
+
+/// How long each of OMPL's planners needs until its plan is within 10 % of the oracle's, against ours.
+void addAgainstPeers(const PlannersOptions& options, Report& report, const Progress& progress) {
+  const std::vector<Race> run = races(options, progress);
+  if (run.empty()) return;
+  const Race& race = run.front();
+  const auto p50 = [&](const std::string& planner) {
+    std::vector<std::optional<double>> times;
+    for (const Run& one : race.runs.at(planner)) times.push_back(timeWithin(one, 1.1 * race.oracle_s));
+    return 1e3 * quantileOf(times, 0.5);
+  };
+  const std::vector<std::string> peers = peerNames();
+  const std::string best = *std::min_element(peers.begin(), peers.end(),
+                                             [&](const auto& a, const auto& b) { return p50(a) < p50(b); });
+  const double ratio = p50(best) / p50(kOwnName);
+  report.rows.push_back({"scenario 3, cold: within 10 % of the oracle, p50", p50(kOwnName), "ms", ">= 20",
+                         ratio >= 20.0, 1, static_cast<unsigned long>(options.runs),
+                         Row::Peer{"best of OMPL's: " + best, p50(best)}, ratio});
+}
 
 }  // namespace
 
@@ -38,6 +60,8 @@ Expected<void> addCold(const PlannerOptions& options, Report& report, const Prog
   add("world to certified plan, p50", p50, "ms", "<= 5", p50 <= 5.0);
   add("world to certified plan, p99", p99, "ms", "<= 25", p99 <= 25.0);
   add("world to certified plan, longest", quantile(took_ms, 1.0), "ms", "", std::nullopt);
+  addAgainstPeers({world, *robot, {{"scenario3", request}}, options.quick ? 3 : 20, 10.0, {}}, report,
+                  progress);
   return {};
 }
 
