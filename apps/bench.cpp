@@ -1,5 +1,6 @@
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -9,6 +10,10 @@
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
+#include "bench/peer_queries.hpp"
+#include "bench/planner.hpp"
+#include "bench/planners.hpp"
+#include "bench/requests.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -18,16 +23,65 @@ constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
+    "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
+    "  planners    our planner and OMPL's own on any map, robot and queries\n"
+    "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
     "  underway bench geometry --quick\n"
-    "  underway bench geometry --grid office.pgm --resolution-m 0.05";
+    "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
+    "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
+    "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
+    "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
   std::string name;
   std::string json;
-  bench::GeometryOptions geometry;
+  bool quick = false;
+  std::string grid;
+  MapArguments map;
+  std::string robot = "nao";
+  std::string queries;
+  std::string plots;
+  int runs = 20;
+  double limit_s = 5.0;
+  std::string peers;
+  std::string maps2d;
+  std::string only;
+  double own_s = 0.0;
 };
+
+/// Which options are for which benchmarks: what is given to another would be passed over in silence.
+struct Belongs {
+  const char* option;
+  bool is_given;
+  std::vector<std::string_view> benchmarks;
+};
+
+/// A sentence about the first option that does not belong to the benchmark.
+std::optional<std::string> misplaced(const Arguments& arguments) {
+  const std::vector<Belongs> options{
+      {"--quick", arguments.quick, {"geometry", "peers", "planner", "planners"}},
+      {"--grid", !arguments.grid.empty(), {"geometry"}},
+      {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
+      {"--map", !arguments.map.file.empty(), {"planners"}},
+      {"--queries", !arguments.queries.empty(), {"planners"}},
+      {"--plots", !arguments.plots.empty(), {"planners"}},
+      {"--peers", !arguments.peers.empty(), {"peers"}},
+      {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
+      {"--only", !arguments.only.empty(), {"planner"}},
+      {"--own-s", arguments.own_s > 0.0, {"planner"}},
+  };
+  for (const Belongs& option : options)
+    if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
+                               option.benchmarks.end())
+      return fmt::format("{} is not for `underway bench {}`; leave it out", option.option, arguments.name);
+  if (arguments.name == "peers" && arguments.peers.empty())
+    return "`underway bench peers` needs --peers, the folder of their queries";
+  if (arguments.name == "planners" && arguments.map.file.empty())
+    return "`underway bench planners` needs --map";
+  return std::nullopt;
+}
 
 /// As many digits as say something: "0.021", "31.5", "1482", "1.6e-06".
 std::string brief(double number) {
@@ -62,20 +116,51 @@ std::string tableOf(const bench::Report& report) {
   return table.text(wantsColour());
 }
 
+/// The map's own queries that can be answered, or those of a file.
+Expected<bench::PlannersOptions> planningOptions(const Arguments& arguments) {
+  const auto site = readSite(arguments.map, arguments.robot);
+  if (!site) return tl::unexpected(site.error());
+  bench::PlannersOptions options{site->world,    site->robot,       {},
+                                 arguments.runs, arguments.limit_s, arguments.plots};
+  if (!arguments.queries.empty()) {
+    auto queries = bench::readQueries(arguments.queries);
+    if (!queries) return tl::unexpected(queries.error());
+    options.queries = std::move(*queries);
+  } else {
+    for (const Query& query : site->queries)
+      if (query.expect == "ok")
+        options.queries.emplace_back(query.name, bench::requestOf(query, *site->robot));
+  }
+  if (arguments.quick) {
+    options.runs = std::min(options.runs, 3);
+    options.queries.resize(std::min<std::size_t>(options.queries.size(), 3));
+  }
+  return options;
+}
+
 Expected<bench::Report> measure(const Arguments& arguments) {
   ProgressBar bar("measuring");
   const auto progress = [&](double share) { bar.show(share); };
-  if (arguments.name == "geometry") return bench::geometry(arguments.geometry, progress);
+  if (arguments.name == "geometry")
+    return bench::geometry({arguments.quick, arguments.grid, arguments.map.options.resolution_m}, progress);
+  if (arguments.name == "peers")
+    return bench::peerQueries({arguments.peers, arguments.maps2d, arguments.quick}, progress);
+  if (arguments.name == "planners") {
+    const auto options = planningOptions(arguments);
+    if (!options) return tl::unexpected(options.error());
+    return bench::planners(*options, progress);
+  }
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "planner")
+    return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
+                          progress);
   return bench::scenarios(*data, progress);
 }
 
 ExitCode run(const Arguments& arguments) {
-  const bool has_geometry_options =
-      arguments.geometry.quick || !arguments.geometry.grid.empty() || arguments.geometry.resolution_m;
-  if (arguments.name != "geometry" && has_geometry_options) {
-    complain("--quick, --grid and --resolution-m are for `underway bench geometry`; leave them out");
+  if (const auto sentence = misplaced(arguments)) {
+    complain(*sentence);
     return ExitCode::kInvalidInput;
   }
   const auto report = measure(arguments);
@@ -93,14 +178,31 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "geometry"}));
+      ->check(CLI::IsMember({"scenarios", "geometry", "peers", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
-  command.add_flag("--quick", arguments->geometry.quick, "geometry: a hundredth of the random cases");
-  command.add_option("--grid", arguments->geometry.grid, "geometry: a large grid map (YAML, or an image)")
+  command.add_flag("--quick", arguments->quick, "A small share of the cases");
+  command.add_option("--grid", arguments->grid, "geometry: a large grid map (YAML, or an image)")
       ->type_name("FILE");
-  command.add_option("--resolution-m", arguments->geometry.resolution_m, "geometry: cell size of an image")
-      ->type_name("R");
+  addMap(command, arguments->map);
+  addRobot(command, arguments->robot);
+  command.add_option("--queries", arguments->queries, "planners: starts and goals (CSV); else the map's own")
+      ->type_name("FILE");
+  command.add_option("--runs", arguments->runs, "planners: of each on each query")
+      ->check(CLI::Range(1, 100'000));
+  command.add_option("--limit-s", arguments->limit_s, "planners: of each run")
+      ->check(CLI::Range(0.001, 3600.0));
+  command.add_option("--plots", arguments->plots, "planners: write OMPL's log, a table and pictures here")
+      ->type_name("DIR");
+  command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
+  command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
+      ->type_name("DIR");
+  command.add_option("--only", arguments->only, "planner: one part of it")
+      ->check(CLI::IsMember(bench::plannerParts()));
+  command
+      .add_option("--own-s", arguments->own_s,
+                  "planner: help the oracle with the planner's own best after S seconds")
+      ->type_name("S");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "bench/requests.hpp"
 #include "geometry/map.hpp"
 #include "planner/planner.hpp"
 
@@ -19,16 +20,6 @@ struct Runs {
   std::vector<double> took_ms;
   std::vector<double> plan_s;
 };
-
-Request requestOf(const Query& query, const Robot& robot) {
-  Request request;
-  request.start = query.start;
-  request.start_mode = robot.findMode(query.start_mode).value_or(0);
-  request.goal = query.goal;
-  request.goal_yaw = query.goal_yaw;
-  request.goal_mode = robot.findMode(query.goal_mode).value_or(0);
-  return request;
-}
 
 Runs runsOf(const Map& map, const std::shared_ptr<const Robot>& robot,
             const std::function<void(double)>& progress) {
