@@ -45,7 +45,7 @@ Answered answered(Oracle& oracle, const std::vector<Request>& requests, std::siz
 }
 
 void ask(Planner& planner, const Answered& answered, Asked& asked) {
-  const Robot& robot = planner.checker().robot();
+  const Robot& robot = planner.checker()->robot();
   for (std::size_t i = 0; i < answered.requests.size(); ++i) {
     const auto start = Planner::Clock::now();
     const auto batches = planner.roadmap()->batches;
@@ -102,11 +102,11 @@ Expected<void> addBuildings(const PlannerOptions& options, Report& report, const
     const auto started = Planner::Clock::now();
     const auto planner = preparedPlanner(world, *robot);
     const std::chrono::duration<double, std::milli> roadmap = Planner::Clock::now() - started;
-    Oracle oracle(planner->checker(), buildingOracle());
+    Oracle oracle(*planner->checker(), buildingOracle());
     Asked asked;
     std::size_t open = 0;  // starts that were not shut in
     for (const auto& requests :
-         randomRequests(planner->checker(), Policy::kFastest, 4 * starts, 2 * goals, kSeed)) {
+         randomRequests(*planner->checker(), Policy::kFastest, 4 * starts, 2 * goals, kSeed)) {
       const auto share = [&](double done) {
         progress((static_cast<double>(b) + (static_cast<double>(open) + done) / static_cast<double>(starts)) /
                  kBuildings.size());

@@ -36,7 +36,7 @@ struct Costs {
 class Contest {
  public:
   Contest(const std::shared_ptr<const World>& world, const std::shared_ptr<const Robot>& robot, double own_s)
-      : planner_(preparedPlanner(world, robot)), oracle_(planner_->checker(), roomOracle()) {
+      : planner_(preparedPlanner(world, robot)), oracle_(*planner_->checker(), roomOracle()) {
     if (own_s <= 0.0) return;
     const GrowthSettings denser{kSeed + 1, kDenser * GrowthSettings{}.sites_per_m2};
     patient_ = std::make_unique<Planner>(world, robot, denser);
@@ -52,7 +52,7 @@ class Contest {
   }
 
  private:
-  [[nodiscard]] const Robot& robot() const { return planner_->checker().robot(); }
+  [[nodiscard]] const Robot& robot() const { return planner_->checker()->robot(); }
 
   /// The oracle's route, or what the patient planner and shortcuts on its plan make of it.
   Route best(const Request& request, Route route) {

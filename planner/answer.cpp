@@ -39,7 +39,7 @@ class Answerer {
  public:
   Answerer(const Planning& planning, const Request& request, const Attached& attached, Interrupt& interrupt)
       : planning_(planning),
-        checker_(planning.checker),
+        checker_(*planning.checker),
         request_(request),
         attached_(attached),
         interrupt_(interrupt),
@@ -161,16 +161,17 @@ Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& r
   Answer result;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
     const auto started = Interrupt::Clock::now();
-    const auto attached = attach(planning.checker, planning.fastest, roadmap, request, effort, interrupt);
+    const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
     if (!attached) break;
     Answerer answerer(planning, request, *attached, interrupt);
     auto plan = answerer.best();
     result.nearest = answerer.nearest();
     if (!plan) continue;
+    plan->revision = planning.checker->world().revision();
     plan->stats = {
         roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
     const auto planned = Interrupt::Clock::now();
-    const std::vector<Flaw> flaws = certify(*plan, request, planning.checker);
+    const std::vector<Flaw> flaws = certify(*plan, request, *planning.checker);
     plan->stats.certify_us = microsecondsSince(planned);
     if (flaws.empty()) return {std::move(plan), std::nullopt, std::nullopt};
     result.fault = faultOf(flaws.front());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "planner/interrupt.hpp"
@@ -15,12 +16,12 @@ namespace underway {
 
 /// What answers need of the robot in a world, made once.
 struct Planning {
-  const Checker& checker;
+  std::shared_ptr<const Checker> checker;
   Stances fastest;
   Stances by_priority;
 
-  explicit Planning(const Checker& c)
-      : checker(c), fastest(c, Policy::kFastest), by_priority(c, Policy::kPriority) {}
+  explicit Planning(std::shared_ptr<const Checker> c)
+      : checker(std::move(c)), fastest(*checker, Policy::kFastest), by_priority(*checker, Policy::kPriority) {}
 };
 
 /// What came of a try on one roadmap.

@@ -69,6 +69,15 @@ class Draft {
   /// Whether links lead from one place to the other, taken both ways. Of the draft's own places.
   [[nodiscard]] bool areJoined(PlaceId a, PlaceId b) { return rootOf(a) == rootOf(b); }
 
+  /// Takes over what is free in another world: visit(link id) -> ways that are free, for every link.
+  template <class Free>
+  void revalidate(const Free& free) {
+    for (LinkId id = 0; id < links_.size(); ++id) ways_[id] = free(id);
+    for (PlaceId place = 0; place < places_.size(); ++place) parents_[place] = place;
+    for (LinkId id = 0; id < links_.size(); ++id)
+      if (ways_[id] != 0) join(links_[id].from, links_[id].to);
+  }
+
   /// `legs`: by group. The roadmap, for a draft without a base whose links are all checked.
   [[nodiscard]] Roadmap freeze(std::span<const underway::Legs> legs) const;
 

@@ -71,23 +71,43 @@ double apart(const Located& a, const Located& b) {
 }  // namespace
 
 struct Growth::State {
-  State(const Checker& c, GrowthSettings s)
-      : checker(c),
-        settings(s),
-        stances(c, Policy::kFastest),
-        sites(stances, draft, Sites::Check::kNow),
-        rails(c, draft, sites),
-        near(stances.groups().modes.size()) {
-    const Robot& robot = checker.robot();
+  State(std::shared_ptr<const Checker> c, GrowthSettings s) : settings(s) {
+    near.resize(Groups(c->robot()).modes.size());
+    for (auto& near_group : near) near_group.setDistanceFunction(apart);
+    standOn(std::move(c));
+  }
+
+  /// Makes all that depends on the world.
+  void standOn(std::shared_ptr<const Checker> c) {
+    ground.reset();
+    world = std::move(c);
+    const Checker& here = *world;
+    ground.emplace(here, draft);
+    overhangs.clear();
+    standing.reset();
+    gaps.reset();
+    const Robot& robot = here.robot();
     for (ModeId mode = 0; mode < robot.modes.size(); ++mode) {
-      overhangs.push_back(overhangsFor(checker.world(), robot, mode));
+      overhangs.push_back(overhangsFor(here.world(), robot, mode));
       if (!standing && robot.modes[mode].canTurn()) standing = mode;
     }
-    for (auto& near_group : near) near_group.setDistanceFunction(apart);
     if (!standing) return;
-    const Range slab = slabOf(robot, stay(*standing, {}), checker.world().floorZ());
-    gaps.emplace(checker.world(), slab, narrowestStrip(robot.modes[*standing]) + kNarrow_m);
+    const Range slab = slabOf(robot, stay(*standing, {}), here.world().floorZ());
+    gaps.emplace(here.world(), slab, narrowestStrip(robot.modes[*standing]) + kNarrow_m);
   }
+
+  /// What builds the draft in one world.
+  struct Ground {
+    Ground(const Checker& checker, Draft& draft)
+        : stances(checker, Policy::kFastest),
+          sites(stances, draft, Sites::Check::kNow),
+          rails(checker, draft, sites) {}
+    Stances stances;
+    Sites sites;
+    Rails rails;
+  };
+
+  [[nodiscard]] const Checker& checker() const { return *world; }
 
   /// Connects places to their neighbours, and makes them neighbours of those to come.
   void settle(const std::vector<PlaceId>& waiting) {
@@ -98,58 +118,56 @@ struct Growth::State {
       if (near_group.size() > 0) near_group.nearestK(here, kNeighbours, found);
       std::vector<PlaceId> neighbours;
       for (const Located& neighbour : found) neighbours.push_back(neighbour.place);
-      sites.connectAround(place, neighbours);
+      ground->sites.connectAround(place, neighbours);
       near_group.add(here);
     }
   }
 
   void addSites(std::uint32_t batch) {
     if (!standing) return;
-    PoseSampler sampler(checker, *standing, {}, seedOf(settings.seed, batch, 0));
+    PoseSampler sampler(checker(), *standing, {}, seedOf(settings.seed, batch, 0));
     for (unsigned i = 0; i < kSitesPerBatch; ++i) {
       const Kind kind = i % 4 == 2 ? Kind::kGaussian : i % 4 == 3 ? Kind::kBridge : Kind::kUniform;
       if (const auto pose = sampler.sample(kind))
-        settle({sites.add(*standing, pose->position(), checker.robot().margin_m)});
+        settle({ground->sites.add(*standing, pose->position(), checker().robot().margin_m)});
     }
   }
 
   void addLowLines(std::uint32_t batch, ModeId mode) {
     if (overhangs[mode].empty()) return;
-    PoseSampler sampler(checker, mode, overhangs[mode], seedOf(settings.seed, batch, 1U + mode));
+    PoseSampler sampler(checker(), mode, overhangs[mode], seedOf(settings.seed, batch, 1U + mode));
     for (unsigned i = 0; i < kLinesPerBatch; ++i) {
       const auto pose = sampler.sample(Kind::kLowPlace);
       if (!pose) continue;
-      const Mode& moving = checker.robot().modes[mode];
-      if (moving.canTurn()) settle({sites.add(mode, pose->position(), checker.robot().margin_m)});
+      const Mode& moving = checker().robot().modes[mode];
+      if (moving.canTurn()) settle({ground->sites.add(mode, pose->position(), checker().robot().margin_m)});
       for (const Sense sense : kSenses)
-        if (moving.canMove(sense)) settle(rails.addThrough(mode, sense, *pose));
+        if (moving.canMove(sense)) settle(ground->rails.addThrough(mode, sense, *pose));
     }
   }
 
   void addNarrowLines(std::uint32_t batch, ModeId mode) {
-    const Mode& moving = checker.robot().modes[mode];
+    const Mode& moving = checker().robot().modes[mode];
     if (!gaps || !moving.canTurn() ||
-        narrowestStrip(moving) > narrowestStrip(checker.robot().modes[*standing]))
+        narrowestStrip(moving) > narrowestStrip(checker().robot().modes[*standing]))
       return;
     std::mt19937_64 random(seedOf(settings.seed, batch, 100U + mode));
     for (unsigned i = 0; i < kLooksPerBatch; ++i) {
       const auto gap = gaps->draw(random);
-      if (!gap || gap->width_m < narrowestStrip(moving) + 2.0 * checker.robot().margin_m) continue;
+      if (!gap || gap->width_m < narrowestStrip(moving) + 2.0 * checker().robot().margin_m) continue;
       for (const Sense sense : {Sense::kForward, Sense::kLeft}) {
         if (!moving.canMove(sense) && !moving.canMove(opposite(sense))) continue;
         if (strip(moving, sense) > narrowestStrip(moving)) continue;
         const Pose pose{gap->middle.x, gap->middle.y, headingAlong(*gap, sense)};
-        if (checker.isFree(stay(mode, pose))) settle(rails.addNarrow(mode, sense, pose));
+        if (checker().isFree(stay(mode, pose))) settle(ground->rails.addNarrow(mode, sense, pose));
       }
     }
   }
 
-  const Checker& checker;
+  std::shared_ptr<const Checker> world;
   GrowthSettings settings;
   Draft draft;
-  Stances stances;
-  Sites sites;
-  Rails rails;
+  std::optional<Ground> ground;
   std::vector<ompl::NearestNeighborsGNAT<Located>> near;  // by group
   std::vector<std::vector<std::size_t>> overhangs;        // by mode
   std::optional<ModeId> standing;                         // the first mode that turns: sites are drawn for it
@@ -157,24 +175,31 @@ struct Growth::State {
   std::uint32_t batches = 0;
 };
 
-Growth::Growth(const Checker& checker, GrowthSettings settings)
-    : state_(std::make_unique<State>(checker, settings)) {}
+Growth::Growth(std::shared_ptr<const Checker> checker, GrowthSettings settings)
+    : state_(std::make_unique<State>(std::move(checker), settings)) {}
 Growth::~Growth() = default;
 
 void Growth::addBatch() {
   const std::uint32_t batch = state_->batches++;
   state_->addSites(batch);
-  for (ModeId mode = 0; mode < state_->checker.robot().modes.size(); ++mode) {
+  for (ModeId mode = 0; mode < state_->checker().robot().modes.size(); ++mode) {
     state_->addLowLines(batch, mode);
     state_->addNarrowLines(batch, mode);
   }
 }
 
 Roadmap Growth::freeze() const {
-  Roadmap roadmap = state_->draft.freeze(state_->stances.all());
+  Roadmap roadmap = state_->draft.freeze(state_->ground->stances.all());
   roadmap.batches = state_->batches;
   return roadmap;
 }
+
+void Growth::moveTo(std::shared_ptr<const Checker> checker) {
+  state_->standOn(std::move(checker));
+  state_->draft.revalidate([&](Roadmap::LinkId id) { return freeWaysOf(state_->draft, id, state_->ground->stances, state_->checker()); });
+}
+
+const std::shared_ptr<const Checker>& Growth::checker() const { return state_->world; }
 
 std::uint32_t Growth::batches() const { return state_->batches; }
 
@@ -182,8 +207,8 @@ std::uint32_t Growth::batchesToCover() const {
   constexpr double kFewest = 3.0;
   constexpr double kMost = 400.0;
   if (!state_->standing) return static_cast<std::uint32_t>(kFewest);
-  const Bounds& bounds = state_->checker.world().bounds();
-  PoseSampler sampler(state_->checker, *state_->standing, {}, seedOf(state_->settings.seed, 0, 1000));
+  const Bounds& bounds = state_->checker().world().bounds();
+  PoseSampler sampler(state_->checker(), *state_->standing, {}, seedOf(state_->settings.seed, 0, 1000));
   const double free_m2 = bounds.width_m * bounds.height_m * sampler.freeShare(kProbes);
   const double sites = free_m2 * state_->settings.sites_per_m2;
   return static_cast<std::uint32_t>(std::clamp(std::ceil(sites / kSitesPerBatch), kFewest, kMost));

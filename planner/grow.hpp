@@ -17,14 +17,17 @@ namespace underway {
 /// narrower. Each new place is connected to its nearest neighbours, and every connection is checked exactly.
 class Growth {
  public:
-  /// The checker must outlive it.
-  Growth(const Checker& checker, GrowthSettings settings);
+  Growth(std::shared_ptr<const Checker> checker, GrowthSettings settings);
   ~Growth();
 
   /// Adds the next batch, all of it: half a batch is no batch.
   void addBatch();
   /// The roadmap as grown.
   [[nodiscard]] Roadmap freeze() const;
+
+  /// Goes on in another revision of the world; what has grown is looked at again.
+  void moveTo(std::shared_ptr<const Checker> checker);
+  [[nodiscard]] const std::shared_ptr<const Checker>& checker() const;
 
   [[nodiscard]] std::uint32_t batches() const;
   /// How many batches cover the floor as densely as the settings ask.

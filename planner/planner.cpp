@@ -12,22 +12,67 @@
 
 namespace underway {
 
-/// The roadmap that answers now, and the growth behind it. Whoever grows holds `growing`; whoever reads or
-/// publishes the snapshot holds `published`, for no longer than a copy of the pointer takes.
+namespace {
+
+/// What a query answers with, from its beginning to its end.
+struct Snapshot {
+  std::shared_ptr<const Planning> planning;
+  std::shared_ptr<const Roadmap> roadmap;  // empty before anything has grown
+  std::shared_ptr<const LinkIndex> index;  // of the roadmap; empty until a change needs it
+};
+
+}  // namespace
+
+/// The snapshot that answers now, and the growth behind it. Whoever grows holds `growing`; whoever makes a
+/// snapshot out of the last one holds `changing`; whoever reads or publishes it holds `published`, for no longer
+/// than a copy of its pointers takes.
 struct Planner::State {
   State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings settings)
-      : checker(std::move(world), std::move(robot)), planning(checker), growth(checker, settings) {}
+      : snapshot{std::make_shared<const Planning>(
+                     std::make_shared<const Checker>(std::move(world), std::move(robot))),
+                 nullptr, nullptr},
+        growth(snapshot.planning->checker, settings) {}
 
-  [[nodiscard]] std::shared_ptr<const Roadmap> current() const {
+  [[nodiscard]] Snapshot current() const {
     const std::lock_guard lock(published);
     return snapshot;
   }
 
-  /// Publishes the roadmap as grown.
-  void publish() {
-    auto shared = std::make_shared<const Roadmap>(growth.freeze());
+  void publish(Snapshot next) {
     const std::lock_guard lock(published);
-    snapshot = std::move(shared);
+    snapshot = std::move(next);
+  }
+
+  /// Publishes the roadmap as grown, in the world as it is now.
+  void publishGrowth() {
+    auto roadmap = std::make_shared<const Roadmap>(growth.freeze());
+    const std::lock_guard lock(changing);
+    const Snapshot before = current();
+    if (before.planning->checker != growth.checker()) {
+      Repair repair;
+      roadmap = revalidated(*roadmap, before.planning->fastest, *before.planning->checker, repair);
+    }
+    publish({before.planning, std::move(roadmap), nullptr});
+  }
+
+  Repair update(std::shared_ptr<const World> world) {
+    const std::lock_guard lock(changing);
+    Snapshot next = current();
+    const std::shared_ptr<const Checker> before = next.planning->checker;
+    const auto checker = std::make_shared<const Checker>(before->at(std::move(world)));
+    next.planning = std::make_shared<const Planning>(checker);
+    Repair repair;
+    if (next.roadmap) {
+      if (!next.index) next.index = std::make_shared<const LinkIndex>(*next.roadmap, checker->robot());
+      const auto changes = Obstacles::changes(before->world().obstacles(), checker->world().obstacles());
+      const bool is_other_room = before->world().bounds() != checker->world().bounds() ||
+                                 before->world().floorZ() != checker->world().floorZ();
+      next.roadmap = is_other_room
+                         ? revalidated(*next.roadmap, next.planning->fastest, *checker, repair)
+                         : repaired(*next.roadmap, *next.index, next.planning->fastest, *checker, changes, repair);
+    }
+    publish(std::move(next));
+    return repair;
   }
 
   /// Waits for its turn to grow; not owned when the deadline passes or the request is stopped first.
@@ -40,9 +85,10 @@ struct Planner::State {
   /// Grows until the floor is covered or `growing_time` is due, and publishes that, unless there is a roadmap
   /// already.
   void cover(Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
-    if (current()) return;
+    if (current().roadmap) return;
     const auto lock = turnToGrow(interrupt);
-    if (!lock || current()) return;
+    if (!lock || current().roadmap) return;
+    followWorld();
     const auto started = Clock::now();
     const std::uint32_t wanted = growth.batchesToCover();
     do {
@@ -50,28 +96,33 @@ struct Planner::State {
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
     } while (growth.batches() < wanted && !growing_time.isDueNow());
     build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
-    publish();
+    publishGrowth();
   }
 
   /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
   /// this one grown by a fifth, or as far as it comes by the deadline.
   void growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
     const auto lock = turnToGrow(interrupt);
-    if (!lock || current()->batches > roadmap.batches) return;
+    if (!lock || current().roadmap->batches > roadmap.batches) return;
+    followWorld();
     const std::uint32_t wanted = growth.batches() + 1 + growth.batches() / 5;
     while (growth.batches() < wanted && !interrupt.isDueNow()) growth.addBatch();
-    if (growth.batches() > roadmap.batches) publish();
+    if (growth.batches() > roadmap.batches) publishGrowth();
+  }
+
+  /// What grows next grows in the world as it is now.
+  void followWorld() {
+    if (const auto checker = current().planning->checker; checker != growth.checker()) growth.moveTo(checker);
   }
 
   static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
 
-  Checker checker;
-  Planning planning;
+  std::mutex changing;
+  mutable std::mutex published;
+  Snapshot snapshot;
   std::timed_mutex growing;
   Growth growth;
   std::atomic<double> build_ms = 0.0;
-  mutable std::mutex published;
-  std::shared_ptr<const Roadmap> snapshot;
 };
 
 Planner::Planner(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot,
@@ -79,8 +130,9 @@ Planner::Planner(std::shared_ptr<const World> world, std::shared_ptr<const Robot
     : state_(std::make_unique<State>(std::move(world), std::move(robot), settings)) {}
 Planner::~Planner() = default;
 
-std::shared_ptr<const Roadmap> Planner::roadmap() const { return state_->current(); }
-const Checker& Planner::checker() const { return state_->checker; }
+std::shared_ptr<const Roadmap> Planner::roadmap() const { return state_->current().roadmap; }
+std::shared_ptr<const Checker> Planner::checker() const { return state_->current().planning->checker; }
+Repair Planner::update(std::shared_ptr<const World> revision) { return state_->update(std::move(revision)); }
 
 void Planner::prepare(Clock::time_point deadline, const Progress& progress, const std::stop_token& stop) {
   Interrupt growing_time(deadline, stop);
@@ -90,7 +142,7 @@ void Planner::prepare(Clock::time_point deadline, const Progress& progress, cons
 
 Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
                              const Progress& progress) {
-  if (const auto refused = refusal(state_->checker, request)) return tl::unexpected(*refused);
+  if (const auto refused = refusal(*checker(), request)) return tl::unexpected(*refused);
   const auto started = Clock::now();
   Interrupt interrupt(deadline, stop);
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
@@ -98,20 +150,23 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   std::optional<Error> fault;  // of a plan that failed its certificate: another roadmap may hold a better one
   std::optional<Pose> nearest;
   if (!interrupt.isDueNow()) state_->cover(growing_time, interrupt, progress);
-  while (const auto roadmap = interrupt.isDueNow() ? nullptr : state_->current()) {
-    auto found = answer(state_->planning, *roadmap, request, interrupt);
+  while (!interrupt.isDueNow()) {
+    const Snapshot now = state_->current();
+    if (!now.roadmap) break;
+    if (const auto refused = refusal(*now.planning->checker, request)) return tl::unexpected(*refused);
+    auto found = answer(*now.planning, *now.roadmap, request, interrupt);
     if (found.plan) {
       found.plan->stats.build_ms = state_->build_ms;
       return std::move(*found.plan);
     }
     if (found.fault) fault = found.fault;
     if (found.nearest) nearest = found.nearest;
-    state_->growBeyond(*roadmap, interrupt);
+    state_->growBeyond(*now.roadmap, interrupt);
   }
   if (interrupt.isStopped())
     return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
   if (fault) return tl::unexpected(*fault);
-  const auto roadmap = state_->current();
+  const auto roadmap = this->roadmap();
   return fail(
       ErrorCode::kTimeout,
       fmt::format("no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more "

@@ -7,6 +7,7 @@
 
 #include "geometry/checker.hpp"
 #include "planner/plan.hpp"
+#include "planner/repair.hpp"
 #include "planner/roadmap.hpp"
 #include "planner/settings.hpp"
 
@@ -15,10 +16,11 @@ namespace underway {
 /// Told while the roadmap grows: the share that is done, 0..1. Must not call the planner.
 using Progress = std::function<void(double)>;
 
-/// Plans in one world for one robot, on a shared roadmap that grows when a query needs it.
+/// Plans in one world for one robot, on a shared roadmap that grows when a query needs it and is repaired when
+/// the world changes.
 ///
 /// Thread safety: all members may be called from any number of threads. A query uses the snapshot it started
-/// with; growth publishes a new one.
+/// with; growth and repair publish a new one.
 class Planner {
  public:
   using Clock = std::chrono::steady_clock;
@@ -38,9 +40,14 @@ class Planner {
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
 
+  /// Moves on to another revision of the world. The roadmap keeps its places and links; those that the changes
+  /// may touch are looked at again. Queries that have begun end in the world they began in.
+  Repair update(std::shared_ptr<const World> revision);
+
   /// The roadmap as it is now; empty before `prepare` and the first plan.
   [[nodiscard]] std::shared_ptr<const Roadmap> roadmap() const;
-  [[nodiscard]] const Checker& checker() const;
+  /// Of the world as it is now.
+  [[nodiscard]] std::shared_ptr<const Checker> checker() const;
 
  private:
   struct State;

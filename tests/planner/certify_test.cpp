@@ -28,7 +28,7 @@ class Certificate : public ::testing::Test {
     Plan plan = *plan_;
     spoil(plan);
     std::string sentences;
-    for (const Flaw& flaw : certify(plan, request(), planner_->checker())) sentences += flaw.sentence + "\n";
+    for (const Flaw& flaw : certify(plan, request(), *planner_->checker())) sentences += flaw.sentence + "\n";
     return sentences;
   }
 
@@ -91,7 +91,7 @@ TEST_F(Certificate, FindsACollisionWhateverThePlanClaims) {
   const Motion walk = translate(0, Sense::kForward, {0.6, 2.0, 0.0}, Point{5.4, 2.0});
   Plan plan = timedPlan({{walk, duration(robot, walk), {0.05, std::nullopt, std::nullopt}}}, request().start);
   std::string sentences;
-  for (const Flaw& flaw : certify(plan, request(), planner_->checker())) sentences += flaw.sentence + "\n";
+  for (const Flaw& flaw : certify(plan, request(), *planner_->checker())) sentences += flaw.sentence + "\n";
   expectSays(sentences, "has less");
   expectSays(sentences, "are asked for");
 }
@@ -104,7 +104,7 @@ TEST_F(Certificate, FindsASegmentCloserThanTheMargin) {
   const Motion walk = translate(0, Sense::kForward, from, Point{3.0, 2.605});
   const Plan plan = timedPlan({{walk, duration(robot, walk), {0.01, std::nullopt, std::nullopt}}}, from);
   std::string sentences;
-  for (const Flaw& flaw : certify(plan, across, planner_->checker())) sentences += flaw.sentence + "\n";
+  for (const Flaw& flaw : certify(plan, across, *planner_->checker())) sentences += flaw.sentence + "\n";
   expectSays(sentences, "0.0200 m are asked for");
 }
 

@@ -29,7 +29,7 @@ void expectSolved(const std::shared_ptr<const World>& world, const std::shared_p
   Planner dut(world, robot);
   const auto plan = dut.plan(request, test::soon());
   ASSERT_TRUE(plan.has_value()) << plan.error().message;
-  for (const Flaw& flaw : certify(*plan, request, dut.checker()))
+  for (const Flaw& flaw : certify(*plan, request, *dut.checker()))
     ADD_FAILURE() << "segment " << flaw.segment << " " << flaw.sentence;
 }
 

@@ -37,7 +37,7 @@ Plan soundPlan(Planner& dut, const Request& request) {
     ADD_FAILURE() << plan.error().message;
     return {};
   }
-  for (const Flaw& flaw : certify(*plan, request, dut.checker()))
+  for (const Flaw& flaw : certify(*plan, request, *dut.checker()))
     ADD_FAILURE() << "segment " << flaw.segment << " " << flaw.sentence;
   return *plan;
 }

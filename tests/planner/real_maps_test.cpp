@@ -92,7 +92,7 @@ TEST_P(RealMaps, RandomQueriesBetweenPosesInOnePartAreSolved) {
   ASSERT_TRUE(map.has_value()) << map.error().message;
   Planner dut(std::make_shared<const World>(map->world), test::nao());
   dut.prepare(test::soon());
-  const OpenFloor floor(dut.checker());
+  const OpenFloor floor(*dut.checker());
   ASSERT_FALSE(floor.isEmpty());
   std::mt19937 random(1);
   for (int query = 0; query < 25; ++query) {

@@ -11,7 +11,7 @@
 namespace underway {
 namespace {
 
-Roadmap grown(const Checker& checker, std::uint64_t seed, unsigned batches) {
+Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed, unsigned batches) {
   Growth growth(checker, {seed, 3.0});
   for (unsigned i = 0; i < batches; ++i) growth.addBatch();
   return growth.freeze();
@@ -19,9 +19,10 @@ Roadmap grown(const Checker& checker, std::uint64_t seed, unsigned batches) {
 
 class GrownRoadmap : public ::testing::TestWithParam<const char*> {
  protected:
-  Checker checker{test::ourWorld(GetParam()), test::nao()};
+  std::shared_ptr<const Checker> shared = std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
+  const Checker& checker = *shared;
   Stances stances{checker, Policy::kFastest};
-  Roadmap dut = grown(checker, 1, 3);
+  Roadmap dut = grown(shared, 1, 3);
 
   const Legs& legsOf(const Roadmap::Link& link) { return stances.ofGroup(dut.places[link.from].group); }
 };
@@ -72,7 +73,7 @@ TEST_P(GrownRoadmap, HasCrossingsThatBeginAndEndAtTheirPlaces) {
 }
 
 TEST_P(GrownRoadmap, IsTheSameForTheSameSeedAndBatchesAndAnotherForAnotherSeed) {
-  const Roadmap again = grown(checker, 1, 3);
+  const Roadmap again = grown(shared, 1, 3);
   ASSERT_EQ(again.places.size(), dut.places.size());
   ASSERT_EQ(again.links.size(), dut.links.size());
   EXPECT_EQ(again.ways, dut.ways);
@@ -81,7 +82,7 @@ TEST_P(GrownRoadmap, IsTheSameForTheSameSeedAndBatchesAndAnotherForAnotherSeed) 
     ASSERT_EQ(again.links[i].to, dut.links[i].to);
     ASSERT_EQ(again.links[i].direction_rad, dut.links[i].direction_rad);
   }
-  EXPECT_NE(grown(checker, 2, 3).links.size(), dut.links.size());
+  EXPECT_NE(grown(shared, 2, 3).links.size(), dut.links.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(OurMaps, GrownRoadmap,

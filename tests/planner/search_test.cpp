@@ -12,7 +12,7 @@
 namespace underway {
 namespace {
 
-Roadmap grown(const Checker& checker, std::uint64_t seed, unsigned batches) {
+Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed, unsigned batches) {
   Growth growth(checker, {seed, 3.0});
   for (unsigned i = 0; i < batches; ++i) growth.addBatch();
   return growth.freeze();
@@ -98,8 +98,9 @@ class Relaxed {
 
 class SearchIn : public ::testing::TestWithParam<const char*> {
  protected:
-  Checker checker{test::ourWorld(GetParam()), test::nao()};
-  Roadmap roadmap = grown(checker, 5, 2);
+  std::shared_ptr<const Checker> shared = std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
+  const Checker& checker = *shared;
+  Roadmap roadmap = grown(shared, 5, 2);
 };
 
 TEST_P(SearchIn, CostsWhatRelaxingEveryWayFinds) {

@@ -1,0 +1,183 @@
+#include "planner/repair.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "planner/sites.hpp"
+
+namespace underway {
+namespace {
+
+using LinkId = Roadmap::LinkId;
+using PlaceId = Roadmap::PlaceId;
+using Region = LinkIndex::Region;
+
+constexpr double kEntriesPerCell = 4.0;
+
+Region grown(const Region& region, double by_m) {
+  return {region.min_x - by_m, region.min_y - by_m, region.max_x + by_m, region.max_y + by_m};
+}
+
+Region joint(const Region& a, const Region& b) {
+  return {std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
+          std::max(a.max_y, b.max_y)};
+}
+
+Region between(Point a, Point b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+double reachOf(const BodyBox& body) {
+  return std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max));
+}
+
+/// No part of the robot, in any mode or switch, is further from its frame's origin [m].
+double reachOf(const Robot& robot) {
+  double reach = 0.0;
+  for (const Mode& mode : robot.modes) reach = std::max(reach, reachOf(mode.body_m));
+  for (const Switch& change : robot.switches) reach = std::max(reach, reachOf(change.body_m));
+  return reach + 2.0 * robot.margin_m + 1e-6;
+}
+
+Region regionOf(const OrientedBox& box) {
+  const auto vertices = corners(box);
+  Region region{vertices[0].x, vertices[0].y, vertices[0].x, vertices[0].y};
+  for (const Vec3& vertex : vertices) region = joint(region, {vertex.x, vertex.y, vertex.x, vertex.y});
+  return region;
+}
+
+Region regionOf(const Roadmap& roadmap, const Roadmap::Link& link, const Robot& robot) {
+  double drift = 0.0;
+  for (const Mode& mode : robot.modes) drift = std::max(drift, mode.drift_m_per_m);
+  if (link.crossing == Roadmap::kNone)
+    return grown(between(roadmap.places[link.from].at, roadmap.places[link.to].at), drift * link.length_m);
+  const Route& motions = roadmap.crossings[link.crossing].motions;
+  Region region = between(motions[0].from.position(), motions[0].to.position());
+  double way_m = 0.0;
+  for (const Motion& motion : motions) {
+    region = joint(region, between(motion.from.position(), motion.to.position()));
+    way_m += length(motion);
+  }
+  return grown(region, drift * way_m);
+}
+
+/// Looks at links and places again, in a copy of a roadmap.
+class Recheck {
+ public:
+  Recheck(const Roadmap& before, const Stances& stances, const Checker& checker, Repair& repair)
+      : roadmap_(std::make_shared<Roadmap>(before)), stances_(stances), checker_(checker), repair_(repair) {}
+
+  void place(PlaceId id) {
+    Roadmap::Place& place = roadmap_->places[id];
+    place.turns_freely = stances_.ofGroup(place.group).turnsFreely(place.at, place.keep_m);
+  }
+
+  /// A link and its twin.
+  void link(LinkId id) {
+    const Roadmap::Link& link = roadmap_->links[id];
+    const Roadmap::Place& from = roadmap_->places[link.from];
+    const Roadmap::Place& to = roadmap_->places[link.to];
+    ++repair_.checked;
+    if (link.crossing != Roadmap::kNone) {
+      const Route& motions = roadmap_->crossings[link.crossing].motions;
+      set(id, std::all_of(motions.begin(), motions.end(), [&](const Motion& m) { return checker_.isFree(m); }) ? 1 : 0);
+      return;
+    }
+    const Legs& legs = stances_.ofGroup(from.group);
+    const double keep_m = std::min(from.keep_m, to.keep_m);
+    const Roadmap::Ways there = freeWays(legs, from.at, to.at, keep_m, nullptr);
+    set(id, there);
+    set(link.twin, freeWays(legs, to.at, from.at, keep_m, &there));
+  }
+
+  std::shared_ptr<const Roadmap> result() {
+    roadmap_->count();
+    return std::move(roadmap_);
+  }
+
+ private:
+  void set(LinkId id, Roadmap::Ways free) {
+    Roadmap::Ways& ways = roadmap_->ways[id];
+    repair_.closed += static_cast<std::uint64_t>(std::popcount(ways & ~free));
+    repair_.opened += static_cast<std::uint64_t>(std::popcount(free & ~ways));
+    ways = free;
+  }
+
+  std::shared_ptr<Roadmap> roadmap_;
+  const Stances& stances_;
+  const Checker& checker_;
+  Repair& repair_;
+};
+
+/// Whether a link stands for itself and its twin.
+bool isFirstOfTwo(const Roadmap& roadmap, LinkId id) {
+  return roadmap.links[id].twin == Roadmap::kNone || id < roadmap.links[id].twin;
+}
+
+}  // namespace
+
+LinkIndex::LinkIndex(const Roadmap& roadmap, const Robot& robot)
+    : places_(static_cast<std::uint32_t>(roadmap.places.size())) {
+  const double reach = reachOf(robot);
+  Region all{0.0, 0.0, 0.0, 0.0};
+  const auto add = [&](const Region& region) {
+    boxes_.push_back(grown(region, reach));
+    all = boxes_.size() == 1 ? boxes_.back() : joint(all, boxes_.back());
+  };
+  for (const Roadmap::Place& place : roadmap.places) add(between(place.at, place.at));
+  for (const Roadmap::Link& link : roadmap.links) add(regionOf(roadmap, link, robot));
+  min_x_ = all.min_x;
+  min_y_ = all.min_y;
+  const double width = std::max(all.max_x - all.min_x, 0.1);
+  const double height = std::max(all.max_y - all.min_y, 0.1);
+  const double count = std::max<double>(1.0, static_cast<double>(boxes_.size()));
+  // Never more cells than entries, also where they lie in a row.
+  cell_m_ = std::max({std::sqrt(width * height * kEntriesPerCell / count), std::max(width, height) / count, reach});
+  columns_ = static_cast<std::size_t>(width / cell_m_) + 1;
+  rows_ = static_cast<std::size_t>(height / cell_m_) + 1;
+  first_.assign(columns_ * rows_ + 1, 0);
+  const auto is_entry = [&](std::uint32_t entry) {
+    return entry < places_ || isFirstOfTwo(roadmap, entry - places_);
+  };
+  for (std::uint32_t entry = 0; entry < boxes_.size(); ++entry)
+    if (is_entry(entry)) visitCells(boxes_[entry], [&](std::size_t cell) { ++first_[cell + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  entries_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t entry = 0; entry < boxes_.size(); ++entry)
+    if (is_entry(entry)) visitCells(boxes_[entry], [&](std::size_t cell) { entries_[next[cell]++] = entry; });
+}
+
+std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& index, const Stances& stances,
+                                        const Checker& after, std::span<const Obstacles::Change> changes,
+                                        Repair& repair) {
+  Recheck recheck(before, stances, after, repair);
+  std::vector<char> is_done(before.places.size() + before.links.size(), 0);
+  const auto once = [&](std::size_t entry) { return std::exchange(is_done[entry], 1) == 0; };
+  for (const Obstacles::Change& change : changes)
+    for (const Obstacles::Pointer& obstacle : {change.before, change.after})
+      if (obstacle)
+        index.visit(
+            regionOf(obstacle->box),
+            [&](LinkId id) {
+              if (once(before.places.size() + id)) recheck.link(id);
+            },
+            [&](PlaceId id) {
+              if (once(id)) recheck.place(id);
+            });
+  return recheck.result();
+}
+
+std::shared_ptr<const Roadmap> revalidated(const Roadmap& before, const Stances& stances, const Checker& after,
+                                           Repair& repair) {
+  Recheck recheck(before, stances, after, repair);
+  for (PlaceId id = 0; id < before.places.size(); ++id) recheck.place(id);
+  for (LinkId id = 0; id < before.links.size(); ++id)
+    if (isFirstOfTwo(before, id)) recheck.link(id);
+  return recheck.result();
+}
+
+}  // namespace underway
