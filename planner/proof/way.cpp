@@ -1,0 +1,185 @@
+#include "planner/proof/way.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace underway {
+namespace {
+
+using Place = Relaxation::Place;
+using State = Outlook::State;
+using Blockers = std::vector<std::size_t>;
+
+constexpr double kClosed = std::numeric_limits<double>::infinity();
+
+/// What passing costs: next to nothing where all is free, the more the smaller an undecided cell is. So
+/// coarse cells are looked at first, and fine ones only where all coarse ones are closed.
+class OpenCells {
+ public:
+  static constexpr bool kPassesClosedBySwitch = true;
+  explicit OpenCells(const Relaxation& relaxation) : relaxation_(relaxation) {}
+
+  double toBody(const Step* /*from*/, const Place& to) const { return cost(relaxation_.ofBody(to), to); }
+  double toExit(const Place& at, std::size_t exit) const { return cost(relaxation_.ofExit(at, exit), at); }
+
+ private:
+  double cost(const Outlook& outlook, const Place& at) const {
+    if (!outlook.isOpen()) return kClosed;
+    const double extent = relaxation_.extentOf(at);
+    return outlook.state == State::kFree ? 1e-3 * extent : 1.0 / (extent * extent);
+  }
+  const Relaxation& relaxation_;
+};
+
+/// Passing costs the obstacles that are in the way and were not in the way one cell before.
+class FewestBlockers {
+ public:
+  static constexpr bool kPassesClosedBySwitch = false;
+  explicit FewestBlockers(Relaxation& relaxation) : relaxation_(relaxation) {}
+
+  double toBody(const Step* from, const Place& to) {
+    const Outlook& outlook = relaxation_.ofBody(to);
+    if (outlook.state != State::kBlocked) return cost(outlook, 0);
+    return cost(outlook, countNew(from, relaxation_.blockersOfBody(to)));
+  }
+  double toExit(const Place& at, std::size_t exit) {
+    const Outlook& outlook = relaxation_.ofExit(at, exit);
+    if (outlook.state != State::kBlocked) return cost(outlook, 0);
+    const Step standing{at, std::nullopt};
+    return cost(outlook, countNew(&standing, relaxation_.blockersOfExit(at, exit)));
+  }
+
+  Blockers blockersOf(const Step& step) {
+    return step.exit ? relaxation_.blockersOfExit(step.place, *step.exit)
+                     : relaxation_.blockersOfBody(step.place);
+  }
+
+ private:
+  std::size_t countNew(const Step* from, const Blockers& blockers) {
+    const Blockers before = from != nullptr ? blockersOf(*from) : Blockers{};
+    return static_cast<std::size_t>(std::count_if(blockers.begin(), blockers.end(), [&](std::size_t b) {
+      return !std::binary_search(before.begin(), before.end(), b);
+    }));
+  }
+  static double cost(const Outlook& outlook, std::size_t blockers) {
+    if (outlook.state == State::kOutside) return kClosed;
+    constexpr double kFree = 1e-6, kUndecided = 1e-4, kBlocked = 1e-3;
+    return static_cast<double>(blockers) + (outlook.state == State::kFree        ? kFree
+                                            : outlook.state == State::kUndecided ? kUndecided
+                                                                                 : kBlocked);
+  }
+  Relaxation& relaxation_;
+};
+
+/// Dijkstra's search over the places, from the starts.
+template <class Costs>
+class Search {
+ public:
+  Search(const Relaxation& relaxation, Costs& costs, Interrupt& interrupt)
+      : relaxation_(relaxation), costs_(costs), interrupt_(interrupt) {
+    for (std::size_t s = 0; s < relaxation.stances().all.size(); ++s)
+      known_.emplace_back(relaxation.cells(s).size());
+  }
+
+  std::optional<std::vector<Step>> run() {
+    for (const Place& start : relaxation_.starts()) reach(start, 0.0, {start, std::nullopt}, true);
+    while (!open_.empty() && !interrupt_.isDue()) {
+      const auto [cost, place] = open_.top();
+      open_.pop();
+      if (cost > known(place).cost) continue;
+      if (relaxation_.isGoal(place)) return wayTo(place);
+      expand(place, cost);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Known {
+    double cost = kClosed;
+    Step before;
+    bool is_start = false;
+  };
+  struct Open {
+    double cost;
+    Place place;
+    bool operator<(const Open& other) const { return cost > other.cost; }
+  };
+
+  Known& known(const Place& place) { return known_[place.stance][place.cell]; }
+
+  void reach(const Place& place, double cost, const Step& before, bool is_start = false) {
+    Known& now = known(place);
+    if (!(cost < now.cost)) return;
+    now = {cost, before, is_start};
+    open_.push({cost, place});
+  }
+
+  void expand(const Place& place, double cost) {
+    const bool is_standing = !Costs::kPassesClosedBySwitch || relaxation_.ofBody(place).isOpen();
+    const Step walking{place, std::nullopt};
+    for (const CellId next : relaxation_.cells(place.stance).neighbours(place.cell)) {
+      const Place to{place.stance, next};
+      if (!is_standing || known(to).cost <= cost || !relaxation_.leadsTo(place, next)) continue;
+      reach(to, cost + costs_.toBody(&walking, to), walking);
+    }
+    for (std::size_t exit = 0; exit < relaxation_.stance(place).exits.size(); ++exit) {
+      const double through = cost + costs_.toExit(place, exit);
+      if (through < kClosed) switchBy(place, exit, through);
+    }
+  }
+
+  void switchBy(const Place& place, std::size_t exit, double cost) {
+    const Step switching{place, exit};
+    found_.clear();
+    relaxation_.findBeyond(place, exit, found_);
+    for (const CellId cell : found_) {
+      const Place to{relaxation_.stance(place).exits[exit].to, cell};
+      if (known(to).cost <= cost) continue;
+      const double more = costs_.toBody(&switching, to);
+      // A switch may lead on from where the body as it stands would touch.
+      const bool leads_on = Costs::kPassesClosedBySwitch && more == kClosed;
+      reach(to, leads_on ? cost : cost + more, switching);
+    }
+  }
+
+  std::vector<Step> wayTo(const Place& goal) {
+    std::vector<Step> way{{goal, std::nullopt}};
+    for (Place at = goal; !known(at).is_start; at = way.back().place) way.push_back(known(at).before);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const Relaxation& relaxation_;
+  Costs& costs_;
+  Interrupt& interrupt_;
+  std::vector<std::vector<Known>> known_;
+  std::priority_queue<Open> open_;
+  std::vector<CellId> found_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Step>> findWay(const Relaxation& relaxation, Interrupt& interrupt) {
+  OpenCells costs(relaxation);
+  return Search(relaxation, costs, interrupt).run();
+}
+
+std::optional<std::vector<std::size_t>> findFewestBlockers(Relaxation& relaxation, Interrupt& interrupt) {
+  FewestBlockers costs(relaxation);
+  const auto way = Search(relaxation, costs, interrupt).run();
+  if (!way) return std::nullopt;
+  Blockers all;
+  for (const Step& step : *way) {
+    const Blockers of_body = relaxation.blockersOfBody(step.place);
+    all.insert(all.end(), of_body.begin(), of_body.end());
+    if (!step.exit) continue;
+    const Blockers of_exit = relaxation.blockersOfExit(step.place, *step.exit);
+    all.insert(all.end(), of_exit.begin(), of_exit.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace underway
