@@ -162,16 +162,26 @@ Survey::Fit Survey::fitOf(const Core& core, const Extent& extent, const Patch& p
   return fit;
 }
 
-std::uint8_t Survey::costliestAxis(const Core& core, const Extent& extent, Point direction) {
+/// What a cell's extents, and its headings, cost of the fit in a direction.
+std::array<double, 3> Survey::costs(const Core& core, const Extent& extent, Point direction) {
   const Point back{-direction.x, -direction.y};
   double whole = 0.0;
   for (const Point p : core.middle) whole = std::max(whole, dot(p, back));
   // Where nothing is common to all headings, they are to blame.
   const double of_yaw = core.common.corners.empty() ? whole : whole - core.common.reach(back);
-  const double of_x = std::abs(direction.x) * extent.x_m;
-  const double of_y = std::abs(direction.y) * extent.y_m;
-  if (of_yaw > of_x && of_yaw > of_y) return kYaw;
-  return of_x > of_y ? kX : kY;
+  return {std::abs(direction.x) * extent.x_m, std::abs(direction.y) * extent.y_m, of_yaw};
+}
+
+/// The one to halve: where the middle of the cell is blocked, that which costs most of being blocked all
+/// over, unless another is much longer; else the longest.
+std::uint8_t Survey::axisToHalve(const Core& core, const Extent& extent, const Fit& best) {
+  constexpr double kOfLength = 0.1;
+  std::array<double, 3> cost = costs(core, extent, best.worst);
+  if (best.slack_m + cost[kX] + cost[kY] + cost[kYaw] <= 0.0) cost = {};
+  cost[kX] += kOfLength * extent.x_m;
+  cost[kY] += kOfLength * extent.y_m;
+  cost[kYaw] += kOfLength * 0.5 * extent.yaw_rad * core.radius_m;
+  return static_cast<std::uint8_t>(std::max_element(cost.begin(), cost.end()) - cost.begin());
 }
 
 /// The same for what is beyond the bounds: by the side that it is nearest to being wholly beyond of.
@@ -219,7 +229,7 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
   else if (outlook.count == 0 && isInside(core, extent) && !interrupt.isDue())
     outlook.state = Outlook::State::kFree;
   else
-    outlook.axis = costliestAxis(core, extent, best.worst);
+    outlook.axis = axisToHalve(core, extent, best);
   return outlook;
 }
 

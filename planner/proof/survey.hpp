@@ -91,7 +91,8 @@ class Survey {
   [[nodiscard]] const Core& coreFor(std::size_t shape, UnitRange yaw, const Extent& extent);
   [[nodiscard]] bool areApart(const Core& core, const Extent& extent, const Patch& patch) const;
   [[nodiscard]] Fit fitOf(const Core& core, const Extent& extent, const Patch& patch) const;
-  [[nodiscard]] static std::uint8_t costliestAxis(const Core& core, const Extent& extent, Point direction);
+  [[nodiscard]] static std::array<double, 3> costs(const Core& core, const Extent& extent, Point direction);
+  [[nodiscard]] static std::uint8_t axisToHalve(const Core& core, const Extent& extent, const Fit& best);
   [[nodiscard]] Fit fitOfBounds(const Core& core, const Extent& extent) const;
   [[nodiscard]] bool isInside(const Core& core, const Extent& extent) const;
   template <class Candidates>
