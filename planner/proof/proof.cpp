@@ -15,22 +15,34 @@ constexpr double kGoal_rad = 0.02;
 constexpr double kFinest_m = 1e-4;  // what is still undecided in smaller cells stays so
 constexpr double kSwitch_m = 5e-3;  // where a switch leads to is not told more exactly than this
 constexpr double kRounding_m = 1e-6;
+#ifndef R
+#define R 3
+#endif
+constexpr int kRounds = R;  // of halving between two looks for a way
 
-/// Halves the undecided cells on a way; whether there was any.
+/// What is undecided where a way passes a cell: the switch it makes there, or the body; null if nothing is.
+const Outlook* undecidedAt(const Relaxation& relaxation, const Step& step) {
+  const auto is_undecided = [](const Outlook& o) { return o.state == Outlook::State::kUndecided; };
+  if (step.exit && is_undecided(relaxation.ofExit(step.place, *step.exit)))
+    return &relaxation.ofExit(step.place, *step.exit);
+  return is_undecided(relaxation.ofBody(step.place)) ? &relaxation.ofBody(step.place) : nullptr;
+}
+
+/// Halves a cell some times over, as far as it is undecided; whether it was.
+bool splitUndecided(Relaxation& relaxation, const Step& step, int rounds, Interrupt& interrupt) {
+  const Outlook* undecided = undecidedAt(relaxation, step);
+  if (undecided == nullptr || rounds == 0 || relaxation.extentOf(step.place) < kFinest_m) return false;
+  if (!relaxation.canSplit(step.place, undecided->axis) || interrupt.isDue()) return false;
+  const CellId upper = relaxation.split(step.place, undecided->axis, interrupt);
+  splitUndecided(relaxation, step, rounds - 1, interrupt);
+  splitUndecided(relaxation, {{step.place.stance, upper}, step.exit}, rounds - 1, interrupt);
+  return true;
+}
+
+/// The same for all cells on a way.
 bool splitUndecided(Relaxation& relaxation, const std::vector<Step>& way, Interrupt& interrupt) {
   bool has_split = false;
-  for (const Step& step : way) {
-    if (relaxation.extentOf(step.place) < kFinest_m) continue;
-    const Outlook& body = relaxation.ofBody(step.place);
-    const Outlook* undecided = body.state == Outlook::State::kUndecided ? &body : nullptr;
-    if (step.exit) {
-      const Outlook& change = relaxation.ofExit(step.place, *step.exit);
-      if (change.state == Outlook::State::kUndecided) undecided = &change;
-    }
-    if (undecided == nullptr || !relaxation.canSplit(step.place, undecided->axis)) continue;
-    relaxation.split(step.place, undecided->axis, interrupt);
-    has_split = true;
-  }
+  for (const Step& step : way) has_split |= splitUndecided(relaxation, step, kRounds, interrupt);
   return has_split;
 }
 

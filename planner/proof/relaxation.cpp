@@ -116,7 +116,7 @@ void Relaxation::findBeyond(const Place& from, std::size_t exit, std::vector<Cel
       found);
 }
 
-void Relaxation::split(const Place& place, std::size_t axis, Interrupt& interrupt) {
+CellId Relaxation::split(const Place& place, std::size_t axis, Interrupt& interrupt) {
   Floor& floor = floors_[place.stance];
   const std::size_t count = slots(place.stance);
   const CellId upper = floor.cells.split(place.cell, axis);
@@ -131,6 +131,7 @@ void Relaxation::split(const Place& place, std::size_t axis, Interrupt& interrup
     }
   }
   if (std::find(starts_.begin(), starts_.end(), place) != starts_.end()) findStarts();
+  return upper;
 }
 
 void Relaxation::lift(std::span<const std::size_t> obstacles, Interrupt& interrupt) {

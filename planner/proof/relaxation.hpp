@@ -53,7 +53,8 @@ class Relaxation {
   /// Appends the cells that a switch leads to.
   void findBeyond(const Place& from, std::size_t exit, std::vector<CellId>& found) const;
 
-  void split(const Place& place, std::size_t axis, Interrupt& interrupt);
+  /// Halves a cell: it keeps the lower half, and the upper one is returned.
+  CellId split(const Place& place, std::size_t axis, Interrupt& interrupt);
   [[nodiscard]] bool canSplit(const Place& place, std::size_t axis) const {
     return cells(place.stance).canSplit(place.cell, axis);
   }
