@@ -189,27 +189,32 @@ Room roomWith(Need need, double slack_m, std::uint64_t seed) {
 }
 
 Room clutteredRoom(std::uint64_t seed) {
+  constexpr double kNear_m = 0.3;  // nothing stands nearer to start and goal than this, but for its corners
   RandomGeometry random(seed);
   const double side = random.between(2.5, 5.0);
+  const auto pose = [&] {
+    return Pose{random.between(0.4, side - 0.4), random.between(0.4, side - 0.4), random.angle()};
+  };
+  const auto mode = [&] { return static_cast<ModeId>(random.oneOf(4) == 0 ? 2 : 0); };
+  const Pose start = pose();
+  const Pose goal = pose();
   std::vector<Obstacle> obstacles;
-  for (std::size_t i = 0, count = 4 + random.oneOf(24); i < count; ++i) {
+  for (std::size_t i = 0, count = 8 + random.oneOf(40); i < count; ++i) {
     OrientedBox box{{random.between(0.0, side), random.between(0.0, side), random.between(0.0, 0.9)},
-                    {random.between(0.05, 0.9), random.between(0.05, 0.5), random.between(0.05, 0.6)},
+                    {random.between(0.05, 1.2), random.between(0.05, 0.4), random.between(0.05, 0.6)},
                     {0.0, 0.0, random.angle()}};
     if (random.oneOf(4) == 0)
       box.rpy_rad = {random.between(-1.0, 1.0), random.between(-1.0, 1.0), box.rpy_rad.z};
+    const Point at{box.center_m.x, box.center_m.y};
+    const double away = kNear_m + 0.4 * box.size_m.x;
+    if (distance(at, start.position()) < away || distance(at, goal.position()) < away) continue;
     obstacles.push_back({"box_" + std::to_string(i), box});
   }
   Room room;
   room.world = std::make_shared<const World>(
       *World::make("clutter", {{0.0, 0.0, 0.0}, side, side}, 0.0, std::move(obstacles)));
-  const auto pose = [&] {
-    return Pose{random.between(0.3, side - 0.3), random.between(0.3, side - 0.3), random.angle()};
-  };
-  const auto mode = [&] { return static_cast<ModeId>(random.oneOf(4) == 0 ? 2 : 0); };
-  room.request.start = pose();
+  room.request.start = start;
   room.request.start_mode = mode();
-  const Pose goal = pose();
   room.request.goal = goal.position();
   if (random.oneOf(3) != 0) room.request.goal_yaw = goal.yaw;
   room.request.goal_mode = mode();

@@ -5,6 +5,8 @@
 namespace underway {
 namespace {
 
+constexpr std::size_t kDeepest = 3 * 24 + 2;  // an axis of 2^24 units is halved no more often than that
+
 /// Whether two ranges touch or overlap.
 bool meet(UnitRange a, UnitRange b) { return a.low <= b.high && b.low <= a.high; }
 
@@ -101,17 +103,17 @@ void CellTree::findTouching(const CellBox& box, std::vector<CellId>& found) cons
     CellBox wanted = box;
     wanted[kYaw] = {box[kYaw].low + turned, box[kYaw].high + turned};
     if (!meet(wanted[kYaw], {})) continue;
-    std::vector<std::uint32_t> open{branches_[0].above};
-    while (!open.empty()) {
-      const std::uint32_t at = open.back();
-      open.pop_back();
+    std::array<std::uint32_t, kDeepest> open{branches_[0].above};
+    std::size_t count = 1;
+    while (count > 0) {
+      const std::uint32_t at = open[--count];
       if ((at & kLeaf) != 0) {
         found.push_back(at & ~kLeaf);
         continue;
       }
       const Branch& branch = branches_[at];
-      if (wanted[branch.axis].low <= branch.at) open.push_back(branch.below);
-      if (wanted[branch.axis].high >= branch.at) open.push_back(branch.above);
+      if (wanted[branch.axis].low <= branch.at) open[count++] = branch.below;
+      if (wanted[branch.axis].high >= branch.at) open[count++] = branch.above;
     }
   }
 }

@@ -15,10 +15,8 @@ constexpr double kGoal_rad = 0.02;
 constexpr double kFinest_m = 1e-4;  // what is still undecided in smaller cells stays so
 constexpr double kSwitch_m = 5e-3;  // where a switch leads to is not told more exactly than this
 constexpr double kRounding_m = 1e-6;
-#ifndef R
-#define R 3
-#endif
-constexpr int kRounds = R;  // of halving between two looks for a way
+constexpr std::size_t kMostCells = 100'000;
+constexpr int kRounds = 3;  // of halving between two looks for a way
 
 /// What is undecided where a way passes a cell: the switch it makes there, or the body; null if nothing is.
 const Outlook* undecidedAt(const Relaxation& relaxation, const Step& step) {
@@ -40,14 +38,14 @@ bool splitUndecided(Relaxation& relaxation, const Step& step, int rounds, Interr
 }
 
 /// The same for all cells on a way.
-bool splitUndecided(Relaxation& relaxation, const std::vector<Step>& way, Interrupt& interrupt) {
+bool splitUndecided(Relaxation& relaxation, const Way& way, Interrupt& interrupt) {
   bool has_split = false;
   for (const Step& step : way) has_split |= splitUndecided(relaxation, step, kRounds, interrupt);
   return has_split;
 }
 
 /// Halves the cells in which the way switches, so that it is told more exactly where to.
-bool splitSwitching(Relaxation& relaxation, const std::vector<Step>& way, Interrupt& interrupt) {
+bool splitSwitching(Relaxation& relaxation, const Way& way, Interrupt& interrupt) {
   bool has_split = false;
   for (const Step& step : way) {
     const std::size_t axis = relaxation.longestAxis(step.place);
@@ -85,8 +83,9 @@ double leastMargin(const Checker& checker, const Request& request) {
 }
 
 bool closes(Relaxation& relaxation, Interrupt& interrupt) {
-  while (!interrupt.isDueNow()) {
-    const auto way = findWay(relaxation, interrupt);
+  WaySearch search;
+  while (!interrupt.isDueNow() && relaxation.size() < kMostCells) {
+    const auto way = search.throughOpenCells(relaxation, interrupt);
     if (!way) return !interrupt.isDueNow();
     if (!splitUndecided(relaxation, *way, interrupt) && !splitSwitching(relaxation, *way, interrupt))
       return false;

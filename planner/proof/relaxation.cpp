@@ -45,10 +45,12 @@ Relaxation::Relaxation(const Checker& checker, const Request& request, double ma
   for (std::size_t s = 0; s < stances_.all.size(); ++s) {
     const Footprint& body = stances_.shapes[stances_.all[s].shape].footprint;
     reach_m_.push_back(std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max)));
-    floors_.push_back({CellTree(stances_.all[s].can_turn), {}});
-    for (CellId cell = 0; cell < cells(s).size(); ++cell)
+    floors_.push_back({CellTree(stances_.all[s].can_turn), {}, {}});
+    for (CellId cell = 0; cell < cells(s).size(); ++cell) {
+      floors_[s].extents_m.push_back(measured({static_cast<std::uint32_t>(s), cell}));
       for (std::size_t slot = 0; slot < slots(s); ++slot)
         floors_[s].outlooks.push_back(survey_.look(shapeOf(s, slot), cells(s).box(cell), interrupt));
+    }
   }
   findStarts();
 }
@@ -68,7 +70,7 @@ std::size_t Relaxation::size() const {
   return count;
 }
 
-double Relaxation::extentOf(const Place& place) const {
+double Relaxation::measured(const Place& place) const {
   const auto extent = survey_.grid().extentOf(cells(place.stance).box(place.cell));
   return std::max({extent.x_m, extent.y_m, 0.5 * extent.yaw_rad * reach_m_[place.stance]});
 }
@@ -88,7 +90,8 @@ bool Relaxation::leadsTo(const Place& from, CellId neighbour) const {
   const CellBox& a = cells(from.stance).box(from.cell);
   const CellBox& b = cells(from.stance).box(neighbour);
   const Contact contact = contactOf(a, b);
-  if (contact.axis == kYaw) return true;  // only of a stance that turns
+  // Across yaw only a stance that turns has neighbours.
+  if (contact.axis == kYaw || stance(from).senses.size() == kSenses.size()) return true;
   const CellBox common{UnitRange{}, UnitRange{},
                        UnitRange{std::max(a[kYaw].low, b[kYaw].low), std::min(a[kYaw].high, b[kYaw].high)}};
   const auto headings = survey_.grid().extentOf(common);
@@ -120,6 +123,7 @@ CellId Relaxation::split(const Place& place, std::size_t axis, Interrupt& interr
   Floor& floor = floors_[place.stance];
   const std::size_t count = slots(place.stance);
   const CellId upper = floor.cells.split(place.cell, axis);
+  floor.extents_m.push_back(floor.extents_m[place.cell] = measured(place));
   floor.outlooks.resize(floor.outlooks.size() + count);
   for (std::size_t slot = 0; slot < count; ++slot) {
     const Outlook before = outlook(place, slot);

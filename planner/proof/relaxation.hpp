@@ -23,7 +23,7 @@ class Relaxation {
  public:
   /// One cell in one stance.
   struct Place {
-    std::size_t stance = 0;
+    std::uint32_t stance = 0;
     CellId cell = 0;
     bool operator==(const Place&) const = default;
   };
@@ -42,7 +42,9 @@ class Relaxation {
     return outlook(place, exit + 1);
   }
   /// How large a cell is, as far as it matters to the body [m].
-  [[nodiscard]] double extentOf(const Place& place) const;
+  [[nodiscard]] double extentOf(const Place& place) const {
+    return floors_[place.stance].extents_m[place.cell];
+  }
 
   /// Cells with the start's pose in them.
   [[nodiscard]] std::span<const Place> starts() const { return starts_; }
@@ -70,6 +72,7 @@ class Relaxation {
  private:
   struct Floor {
     CellTree cells;
+    std::vector<double> extents_m;  // of each cell
     std::vector<Outlook> outlooks;  // of each cell: of the body, then of the exits
   };
 
@@ -80,6 +83,7 @@ class Relaxation {
   [[nodiscard]] const Outlook& outlook(const Place& place, std::size_t slot) const {
     return floors_[place.stance].outlooks[place.cell * slots(place.stance) + slot];
   }
+  [[nodiscard]] double measured(const Place& place) const;
   void findStarts();
 
   Stances stances_;
@@ -87,8 +91,8 @@ class Relaxation {
   std::vector<Floor> floors_;
   std::vector<double> reach_m_;  // of each stance's body
   Pose start_;                   // in the corner's frame
-  std::size_t start_stance_;
-  std::size_t goal_stance_;
+  std::uint32_t start_stance_;
+  std::uint32_t goal_stance_;
   CellBox goal_;
   std::vector<Place> starts_;
 };

@@ -7,6 +7,10 @@ namespace {
 
 bool holds(Range outer, Range inner) { return outer.min <= inner.min && outer.max >= inner.max; }
 
+bool contains(const std::vector<Sense>& senses, Sense sense) {
+  return std::find(senses.begin(), senses.end(), sense) != senses.end();
+}
+
 /// Whether a switch asks for nothing that both its modes do not ask for where they stand.
 bool isFreeOfCharge(const Robot& robot, const Switch& change) {
   const Mode& a = robot.modes[change.from];
@@ -41,7 +45,7 @@ Stances stancesOf(const Checker& checker, double margin_m) {
   for (std::size_t id = 0; id < robot.modes.size(); ++id) {
     const Mode& mode = robot.modes[id];
     if (first[id] == id) {
-      result.of_mode.push_back(result.all.size());
+      result.of_mode.push_back(static_cast<std::uint32_t>(result.all.size()));
       result.all.emplace_back();
       result.all.back().shape = add_shape(mode.body_m, stay(static_cast<ModeId>(id), {}));
     } else {
@@ -51,7 +55,7 @@ Stances stancesOf(const Checker& checker, double margin_m) {
     stance.modes.push_back(static_cast<ModeId>(id));
     stance.can_turn = stance.can_turn || mode.canTurn();
     for (const Sense sense : kSenses)
-      if (mode.canMove(sense)) stance.senses.push_back(sense);
+      if (mode.canMove(sense) && !contains(stance.senses, sense)) stance.senses.push_back(sense);
   }
   for (const Switch& change : robot.switches)
     if (!isFreeOfCharge(robot, change))

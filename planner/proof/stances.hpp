@@ -17,7 +17,7 @@ struct Shape {
 /// A switch that leads out of a stance.
 struct Exit {
   std::size_t shape;  ///< index into Stances::shapes
-  std::size_t to;     ///< the stance it leads to
+  std::uint32_t to;   ///< the stance it leads to
   Pose displacement;  ///< in the body frame before it
 };
 
@@ -35,7 +35,7 @@ struct Stance {
 struct Stances {
   std::vector<Shape> shapes;
   std::vector<Stance> all;
-  std::vector<std::size_t> of_mode;  ///< index into `all`
+  std::vector<std::uint32_t> of_mode;  ///< index into `all`
 };
 
 /// `margin_m` is kept from every obstacle. The checker must outlive the result.

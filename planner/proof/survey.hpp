@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -106,7 +107,7 @@ class Survey {
   std::vector<std::vector<Patch>> patches_;  // by shape
   std::vector<char> is_lifted_;              // by obstacle
   std::vector<std::uint32_t> listed_;        // candidates of all outlooks: indices into patches_[shape]
-  std::vector<Core> cores_;
+  std::deque<Core> cores_;
   std::unordered_map<std::uint64_t, std::uint32_t> core_at_;
 };
 

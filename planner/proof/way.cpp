@@ -20,8 +20,8 @@ class OpenCells {
   static constexpr bool kPassesClosedBySwitch = true;
   explicit OpenCells(const Relaxation& relaxation) : relaxation_(relaxation) {}
 
-  double toBody(const Step* /*from*/, const Place& to) const { return cost(relaxation_.ofBody(to), to); }
-  double toExit(const Place& at, std::size_t exit) const { return cost(relaxation_.ofExit(at, exit), at); }
+  double toBody(const Step& /*from*/, const Place& to) const { return cost(relaxation_.ofBody(to), to); }
+  double toExit(const Place& at, std::uint32_t exit) const { return cost(relaxation_.ofExit(at, exit), at); }
 
  private:
   double cost(const Outlook& outlook, const Place& at) const {
@@ -38,16 +38,16 @@ class FewestBlockers {
   static constexpr bool kPassesClosedBySwitch = false;
   explicit FewestBlockers(Relaxation& relaxation) : relaxation_(relaxation) {}
 
-  double toBody(const Step* from, const Place& to) {
+  double toBody(const Step& from, const Place& to) {
     const Outlook& outlook = relaxation_.ofBody(to);
     if (outlook.state != State::kBlocked) return cost(outlook, 0);
     return cost(outlook, countNew(from, relaxation_.blockersOfBody(to)));
   }
-  double toExit(const Place& at, std::size_t exit) {
+  double toExit(const Place& at, std::uint32_t exit) {
     const Outlook& outlook = relaxation_.ofExit(at, exit);
     if (outlook.state != State::kBlocked) return cost(outlook, 0);
     const Step standing{at, std::nullopt};
-    return cost(outlook, countNew(&standing, relaxation_.blockersOfExit(at, exit)));
+    return cost(outlook, countNew(standing, relaxation_.blockersOfExit(at, exit)));
   }
 
   Blockers blockersOf(const Step& step) {
@@ -56,8 +56,8 @@ class FewestBlockers {
   }
 
  private:
-  std::size_t countNew(const Step* from, const Blockers& blockers) {
-    const Blockers before = from != nullptr ? blockersOf(*from) : Blockers{};
+  std::size_t countNew(const Step& from, const Blockers& blockers) {
+    const Blockers before = blockersOf(from);
     return static_cast<std::size_t>(std::count_if(blockers.begin(), blockers.end(), [&](std::size_t b) {
       return !std::binary_search(before.begin(), before.end(), b);
     }));
@@ -72,22 +72,27 @@ class FewestBlockers {
   Relaxation& relaxation_;
 };
 
-/// Dijkstra's search over the places, from the starts.
+}  // namespace
+
 template <class Costs>
-class Search {
+class WaySearch::Run {
  public:
-  Search(const Relaxation& relaxation, Costs& costs, Interrupt& interrupt)
-      : relaxation_(relaxation), costs_(costs), interrupt_(interrupt) {
-    for (std::size_t s = 0; s < relaxation.stances().all.size(); ++s)
-      known_.emplace_back(relaxation.cells(s).size());
+  Run(WaySearch& memory, const Relaxation& relaxation, Costs& costs, Interrupt& interrupt)
+      : relaxation_(relaxation),
+        costs_(costs),
+        interrupt_(interrupt),
+        known_(memory.known_),
+        round_(++memory.round_) {
+    known_.resize(relaxation.stances().all.size());
+    for (std::size_t s = 0; s < known_.size(); ++s) known_[s].resize(relaxation.cells(s).size());
   }
 
-  std::optional<std::vector<Step>> run() {
+  std::optional<Way> find() {
     for (const Place& start : relaxation_.starts()) reach(start, 0.0, {start, std::nullopt}, true);
     while (!open_.empty() && !interrupt_.isDue()) {
       const auto [cost, place] = open_.top();
       open_.pop();
-      if (cost > known(place).cost) continue;
+      if (cost > costOf(place)) continue;
       if (relaxation_.isGoal(place)) return wayTo(place);
       expand(place, cost);
     }
@@ -95,56 +100,56 @@ class Search {
   }
 
  private:
-  struct Known {
-    double cost = kClosed;
-    Step before;
-    bool is_start = false;
-  };
   struct Open {
     double cost;
     Place place;
     bool operator<(const Open& other) const { return cost > other.cost; }
   };
 
-  Known& known(const Place& place) { return known_[place.stance][place.cell]; }
+  [[nodiscard]] Known& known(const Place& place) { return known_[place.stance][place.cell]; }
+  [[nodiscard]] double costOf(const Place& place) {
+    return known(place).round == round_ ? known(place).cost : kClosed;
+  }
 
   void reach(const Place& place, double cost, const Step& before, bool is_start = false) {
-    Known& now = known(place);
-    if (!(cost < now.cost)) return;
-    now = {cost, before, is_start};
+    if (!(cost < costOf(place))) return;
+    known(place) = {cost, before, round_, is_start};
     open_.push({cost, place});
   }
 
   void expand(const Place& place, double cost) {
-    const bool is_standing = !Costs::kPassesClosedBySwitch || relaxation_.ofBody(place).isOpen();
-    const Step walking{place, std::nullopt};
-    for (const CellId next : relaxation_.cells(place.stance).neighbours(place.cell)) {
-      const Place to{place.stance, next};
-      if (!is_standing || known(to).cost <= cost || !relaxation_.leadsTo(place, next)) continue;
-      reach(to, cost + costs_.toBody(&walking, to), walking);
-    }
-    for (std::size_t exit = 0; exit < relaxation_.stance(place).exits.size(); ++exit) {
+    if (!Costs::kPassesClosedBySwitch || relaxation_.ofBody(place).isOpen()) walkFrom(place, cost);
+    for (std::uint32_t exit = 0; exit < relaxation_.stance(place).exits.size(); ++exit) {
       const double through = cost + costs_.toExit(place, exit);
       if (through < kClosed) switchBy(place, exit, through);
     }
   }
 
-  void switchBy(const Place& place, std::size_t exit, double cost) {
+  void walkFrom(const Place& place, double cost) {
+    const Step walking{place, std::nullopt};
+    for (const CellId next : relaxation_.cells(place.stance).neighbours(place.cell)) {
+      const Place to{place.stance, next};
+      if (costOf(to) <= cost || !relaxation_.leadsTo(place, next)) continue;
+      reach(to, cost + costs_.toBody(walking, to), walking);
+    }
+  }
+
+  void switchBy(const Place& place, std::uint32_t exit, double cost) {
     const Step switching{place, exit};
     found_.clear();
     relaxation_.findBeyond(place, exit, found_);
     for (const CellId cell : found_) {
       const Place to{relaxation_.stance(place).exits[exit].to, cell};
-      if (known(to).cost <= cost) continue;
-      const double more = costs_.toBody(&switching, to);
+      if (costOf(to) <= cost) continue;
+      const double more = costs_.toBody(switching, to);
       // A switch may lead on from where the body as it stands would touch.
       const bool leads_on = Costs::kPassesClosedBySwitch && more == kClosed;
       reach(to, leads_on ? cost : cost + more, switching);
     }
   }
 
-  std::vector<Step> wayTo(const Place& goal) {
-    std::vector<Step> way{{goal, std::nullopt}};
+  Way wayTo(const Place& goal) {
+    Way way{{goal, std::nullopt}};
     for (Place at = goal; !known(at).is_start; at = way.back().place) way.push_back(known(at).before);
     std::reverse(way.begin(), way.end());
     return way;
@@ -153,29 +158,27 @@ class Search {
   const Relaxation& relaxation_;
   Costs& costs_;
   Interrupt& interrupt_;
-  std::vector<std::vector<Known>> known_;
+  std::vector<std::vector<Known>>& known_;
+  std::uint32_t round_;
   std::priority_queue<Open> open_;
   std::vector<CellId> found_;
 };
 
-}  // namespace
-
-std::optional<std::vector<Step>> findWay(const Relaxation& relaxation, Interrupt& interrupt) {
+std::optional<Way> WaySearch::throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt) {
   OpenCells costs(relaxation);
-  return Search(relaxation, costs, interrupt).run();
+  return Run<OpenCells>(*this, relaxation, costs, interrupt).find();
 }
 
-std::optional<std::vector<std::size_t>> findFewestBlockers(Relaxation& relaxation, Interrupt& interrupt) {
+std::optional<std::vector<std::size_t>> WaySearch::fewestBlockers(Relaxation& relaxation,
+                                                                  Interrupt& interrupt) {
   FewestBlockers costs(relaxation);
-  const auto way = Search(relaxation, costs, interrupt).run();
+  const auto way = Run<FewestBlockers>(*this, relaxation, costs, interrupt).find();
   if (!way) return std::nullopt;
   Blockers all;
+  const auto add = [&](const Blockers& some) { all.insert(all.end(), some.begin(), some.end()); };
   for (const Step& step : *way) {
-    const Blockers of_body = relaxation.blockersOfBody(step.place);
-    all.insert(all.end(), of_body.begin(), of_body.end());
-    if (!step.exit) continue;
-    const Blockers of_exit = relaxation.blockersOfExit(step.place, *step.exit);
-    all.insert(all.end(), of_exit.begin(), of_exit.end());
+    add(relaxation.blockersOfBody(step.place));
+    if (step.exit) add(relaxation.blockersOfExit(step.place, *step.exit));
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

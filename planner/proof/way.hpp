@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,16 +12,33 @@ namespace underway {
 /// A cell on a way, and how the way leaves it: by an exit, or to a neighbour.
 struct Step {
   Relaxation::Place place;
-  std::optional<std::size_t> exit;  ///< index into the stance's exits
+  std::optional<std::uint32_t> exit;  ///< index into the stance's exits
 };
+using Way = std::vector<Step>;
 
-/// From the start to the goal through open cells; of all ways that through the fewest and largest undecided
-/// ones. Nothing if there is none, or when interrupted (ask the interrupt).
-[[nodiscard]] std::optional<std::vector<Step>> findWay(const Relaxation& relaxation, Interrupt& interrupt);
+/// Looks for ways from start to goal (Dijkstra 1959), again and again while cells are halved. Nothing is
+/// found if there is none, or when interrupted (ask the interrupt).
+class WaySearch {
+ public:
+  /// Through open cells; of all ways the one through the fewest and largest undecided ones.
+  [[nodiscard]] std::optional<Way> throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt);
 
-/// The obstacles, as indices into the world's, that are on the way from start to goal that has the fewest of
-/// them on it; nothing if all ways leave the bounds, or when interrupted.
-[[nodiscard]] std::optional<std::vector<std::size_t>> findFewestBlockers(Relaxation& relaxation,
-                                                                         Interrupt& interrupt);
+  /// The obstacles, as indices into the world's, that are on the way that has the fewest of them on it.
+  [[nodiscard]] std::optional<std::vector<std::size_t>> fewestBlockers(Relaxation& relaxation,
+                                                                       Interrupt& interrupt);
+
+ private:
+  struct Known {
+    double cost;
+    Step before;
+    std::uint32_t round = 0;  // of searching; what is left of an earlier one does not count
+    bool is_start;
+  };
+  template <class Costs>
+  class Run;
+
+  std::vector<std::vector<Known>> known_;  // by stance and cell; kept, so that a search allocates little
+  std::uint32_t round_ = 0;
+};
 
 }  // namespace underway
