@@ -82,9 +82,9 @@ double leastMargin(const Checker& checker, const Request& request) {
   return std::clamp(least, 0.0, margin);
 }
 
-bool closes(Relaxation& relaxation, Interrupt& interrupt) {
+bool closes(Relaxation& relaxation, std::size_t most_cells, Interrupt& interrupt) {
   WaySearch search;
-  while (!interrupt.isDueNow() && relaxation.size() < kMostCells) {
+  while (!interrupt.isDueNow() && relaxation.size() < most_cells) {
     const auto way = search.throughOpenCells(relaxation, interrupt);
     if (!way) return !interrupt.isDueNow();
     if (!splitUndecided(relaxation, *way, interrupt) && !splitSwitching(relaxation, *way, interrupt))
@@ -95,7 +95,7 @@ bool closes(Relaxation& relaxation, Interrupt& interrupt) {
 
 std::optional<Proof> proveNoPath(const Checker& checker, const Request& request, Interrupt& interrupt) {
   Relaxation relaxation(checker, request, leastMargin(checker, request), interrupt);
-  if (!closes(relaxation, interrupt)) return std::nullopt;
+  if (!closes(relaxation, kMostCells, interrupt)) return std::nullopt;
   return Proof{std::move(relaxation)};
 }
 

@@ -26,8 +26,8 @@ struct Proof {
 [[nodiscard]] std::optional<Proof> proveNoPath(const Checker& checker, const Request& request,
                                                Interrupt& interrupt);
 
-/// Refines a relaxation until no way is left (true), or it is not worth going on or interrupted (false).
-[[nodiscard]] bool closes(Relaxation& relaxation, Interrupt& interrupt);
+/// Whether no way is left in a relaxation, refined for it as far as it is worth: to so many cells at most.
+[[nodiscard]] bool closes(Relaxation& relaxation, std::size_t most_cells, Interrupt& interrupt);
 
 /// The least clearance that any segment of a plan must keep: the robot's margin, or what the start has, or
 /// what a pose within the tolerance of the goal has at least, if that is less.

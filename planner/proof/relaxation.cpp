@@ -138,14 +138,17 @@ CellId Relaxation::split(const Place& place, std::size_t axis, Interrupt& interr
   return upper;
 }
 
-void Relaxation::lift(std::span<const std::size_t> obstacles, Interrupt& interrupt) {
-  for (const std::size_t obstacle : obstacles) survey_.lift(obstacle);
+void Relaxation::lift(std::span<const std::size_t> obstacles, std::optional<std::size_t> shape,
+                      Interrupt& interrupt) {
+  for (std::size_t s = 0; s < stances_.shapes.size(); ++s)
+    for (const std::size_t obstacle : obstacles)
+      if (!shape || *shape == s) survey_.lift(s, obstacle);
   for (std::size_t s = 0; s < floors_.size(); ++s) {
     for (std::size_t i = 0; i < floors_[s].outlooks.size() && !interrupt.isDue(); ++i) {
       Outlook& known = floors_[s].outlooks[i];
-      const std::size_t shape = shapeOf(s, i % slots(s));
-      if (survey_.mayTouchLifted(shape, known))
-        known = survey_.lookAgain(shape, cells(s).box(static_cast<CellId>(i / slots(s))), known, interrupt);
+      const std::size_t seen_by = shapeOf(s, i % slots(s));
+      if (survey_.mayTouchLifted(seen_by, known))
+        known = survey_.lookAgain(seen_by, cells(s).box(static_cast<CellId>(i / slots(s))), known, interrupt);
     }
   }
 }

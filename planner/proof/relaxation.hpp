@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,8 +64,8 @@ class Relaxation {
   /// The axis along which a cell's corners are furthest apart.
   [[nodiscard]] std::size_t longestAxis(const Place& place) const;
 
-  /// Takes obstacles away, as indices into the world's.
-  void lift(std::span<const std::size_t> obstacles, Interrupt& interrupt);
+  /// Takes obstacles away, as indices into the world's; from one shape only, or from all.
+  void lift(std::span<const std::size_t> obstacles, std::optional<std::size_t> shape, Interrupt& interrupt);
   /// The obstacles of which each alone blocks a cell's body, or its switch.
   [[nodiscard]] std::vector<std::size_t> blockersOfBody(const Place& place);
   [[nodiscard]] std::vector<std::size_t> blockersOfExit(const Place& place, std::size_t exit);

@@ -57,11 +57,13 @@ Stances stancesOf(const Checker& checker, double margin_m) {
     for (const Sense sense : kSenses)
       if (mode.canMove(sense) && !contains(stance.senses, sense)) stance.senses.push_back(sense);
   }
-  for (const Switch& change : robot.switches)
-    if (!isFreeOfCharge(robot, change))
-      result.all[result.of_mode[change.from]].exits.push_back(
-          {add_shape(change.body_m, switchModes(change, {})), result.of_mode[change.to],
-           change.displacement});
+  for (std::size_t i = 0; i < robot.switches.size(); ++i) {
+    const Switch& change = robot.switches[i];
+    if (isFreeOfCharge(robot, change)) continue;
+    result.all[result.of_mode[change.from]].exits.push_back(
+        {i, add_shape(change.body_m, switchModes(change, {})), result.of_mode[change.to],
+         change.displacement});
+  }
   return result;
 }
 

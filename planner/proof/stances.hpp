@@ -16,9 +16,10 @@ struct Shape {
 
 /// A switch that leads out of a stance.
 struct Exit {
-  std::size_t shape;  ///< index into Stances::shapes
-  std::uint32_t to;   ///< the stance it leads to
-  Pose displacement;  ///< in the body frame before it
+  std::size_t of_switch;  ///< index into the robot's switches
+  std::size_t shape;      ///< index into Stances::shapes
+  std::uint32_t to;       ///< the stance it leads to
+  Pose displacement;      ///< in the body frame before it
 };
 
 /// Modes that have one body and change into each other where they stand: together they move in all senses

@@ -81,7 +81,7 @@ Survey::Survey(const Checker& checker, const Stances& stances, Interrupt& interr
       width_m_(checker.world().bounds().width_m),
       height_m_(checker.world().bounds().height_m),
       patches_(stances.shapes.size()),
-      is_lifted_(checker.world().obstacles().size(), 0) {
+      is_lifted_(stances.shapes.size(), std::vector<char>(checker.world().obstacles().size(), 0)) {
   for (std::size_t shape = 0; shape < stances.shapes.size(); ++shape) {
     footprints_.push_back(stances.shapes[shape].footprint);
     const Tree& tree = stances.shapes[shape].seen->tree();
@@ -217,7 +217,7 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
   for (std::size_t i = 0; i < count && !interrupt.isDue(); ++i) {
     const std::uint32_t index = candidate(i);
     const Patch& patch = patches_[shape][index];
-    if (isLifted(patch.obstacle) || areApart(core, extent, patch)) continue;
+    if (isLifted(shape, patch) || areApart(core, extent, patch)) continue;
     listed_.push_back(index);
     const Fit fit = fitOf(core, extent, patch);
     is_blocked = is_blocked || fit.slack_m > 0.0;
@@ -248,7 +248,7 @@ Outlook Survey::lookAgain(std::size_t shape, const CellBox& box, const Outlook& 
 bool Survey::mayTouchLifted(std::size_t shape, const Outlook& outlook) const {
   const auto begin = listed_.begin() + outlook.first;
   return std::any_of(begin, begin + outlook.count,
-                     [&](std::uint32_t index) { return isLifted(patches_[shape][index].obstacle); });
+                     [&](std::uint32_t index) { return isLifted(shape, patches_[shape][index]); });
 }
 
 std::vector<std::size_t> Survey::blockersOf(std::size_t shape, const CellBox& box, const Outlook& outlook) {
@@ -257,7 +257,7 @@ std::vector<std::size_t> Survey::blockersOf(std::size_t shape, const CellBox& bo
   const Core& core = coreFor(shape, box[kYaw], extent);
   for (std::uint32_t i = 0; i < outlook.count; ++i) {
     const Patch& patch = patches_[shape][listed_[outlook.first + i]];
-    if (!isLifted(patch.obstacle) && fitOf(core, extent, patch).slack_m > 0.0)
+    if (!isLifted(shape, patch) && fitOf(core, extent, patch).slack_m > 0.0)
       blockers.push_back(patch.obstacle);
   }
   std::sort(blockers.begin(), blockers.end());

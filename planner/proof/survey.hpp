@@ -67,9 +67,9 @@ class Survey {
   [[nodiscard]] Outlook lookAgain(std::size_t shape, const CellBox& box, const Outlook& before,
                                   Interrupt& interrupt);
 
-  /// From now on as if an obstacle were not there. What has been looked at must be looked at again.
-  void lift(std::size_t obstacle) { is_lifted_[obstacle] = 1; }
-  [[nodiscard]] bool isLifted(std::size_t obstacle) const { return is_lifted_[obstacle] != 0; }
+  /// From now on as if an obstacle were not there for a shape. What has been looked at must be looked at
+  /// again.
+  void lift(std::size_t shape, std::size_t obstacle) { is_lifted_[shape][obstacle] = 1; }
   [[nodiscard]] bool mayTouchLifted(std::size_t shape, const Outlook& outlook) const;
 
   /// The obstacles, as indices into the world's, of which each alone blocks a shape in a cell.
@@ -89,6 +89,10 @@ class Survey {
   };
   using Extent = Grid::Extent;
 
+  [[nodiscard]] bool isLifted(std::size_t shape, const Patch& patch) const {
+    return is_lifted_[shape][patch.obstacle] != 0;
+  }
+
   [[nodiscard]] const Core& coreFor(std::size_t shape, UnitRange yaw, const Extent& extent);
   [[nodiscard]] bool areApart(const Core& core, const Extent& extent, const Patch& patch) const;
   [[nodiscard]] Fit fitOf(const Core& core, const Extent& extent, const Patch& patch) const;
@@ -103,10 +107,10 @@ class Survey {
   Grid grid_;
   double width_m_;  // of the bounds
   double height_m_;
-  std::vector<Footprint> footprints_;        // by shape
-  std::vector<std::vector<Patch>> patches_;  // by shape
-  std::vector<char> is_lifted_;              // by obstacle
-  std::vector<std::uint32_t> listed_;        // candidates of all outlooks: indices into patches_[shape]
+  std::vector<Footprint> footprints_;         // by shape
+  std::vector<std::vector<Patch>> patches_;   // by shape
+  std::vector<std::vector<char>> is_lifted_;  // by obstacle
+  std::vector<std::uint32_t> listed_;         // candidates of all outlooks: indices into patches_[shape]
   std::deque<Core> cores_;
   std::unordered_map<std::uint64_t, std::uint32_t> core_at_;
 };

@@ -36,18 +36,18 @@ class OpenCells {
 class FewestBlockers {
  public:
   static constexpr bool kPassesClosedBySwitch = false;
-  explicit FewestBlockers(Relaxation& relaxation) : relaxation_(relaxation) {}
+  FewestBlockers(Relaxation& relaxation, const Weight& weight) : relaxation_(relaxation), weight_(weight) {}
 
   double toBody(const Step& from, const Place& to) {
     const Outlook& outlook = relaxation_.ofBody(to);
-    if (outlook.state != State::kBlocked) return cost(outlook, 0);
-    return cost(outlook, countNew(from, relaxation_.blockersOfBody(to)));
+    if (outlook.state != State::kBlocked) return cost(outlook, 0.0);
+    return cost(outlook, weightOfNew(from, relaxation_.blockersOfBody(to)));
   }
   double toExit(const Place& at, std::uint32_t exit) {
     const Outlook& outlook = relaxation_.ofExit(at, exit);
-    if (outlook.state != State::kBlocked) return cost(outlook, 0);
+    if (outlook.state != State::kBlocked) return cost(outlook, 0.0);
     const Step standing{at, std::nullopt};
-    return cost(outlook, countNew(standing, relaxation_.blockersOfExit(at, exit)));
+    return cost(outlook, weightOfNew(standing, relaxation_.blockersOfExit(at, exit)));
   }
 
   Blockers blockersOf(const Step& step) {
@@ -56,20 +56,22 @@ class FewestBlockers {
   }
 
  private:
-  std::size_t countNew(const Step& from, const Blockers& blockers) {
+  double weightOfNew(const Step& from, const Blockers& blockers) {
     const Blockers before = blockersOf(from);
-    return static_cast<std::size_t>(std::count_if(blockers.begin(), blockers.end(), [&](std::size_t b) {
-      return !std::binary_search(before.begin(), before.end(), b);
-    }));
+    double sum = 0.0;
+    for (const std::size_t b : blockers)
+      if (!std::binary_search(before.begin(), before.end(), b)) sum += weight_(b);
+    return sum;
   }
-  static double cost(const Outlook& outlook, std::size_t blockers) {
+  static double cost(const Outlook& outlook, double blockers) {
     if (outlook.state == State::kOutside) return kClosed;
     constexpr double kFree = 1e-6, kUndecided = 1e-4, kBlocked = 1e-3;
-    return static_cast<double>(blockers) + (outlook.state == State::kFree        ? kFree
-                                            : outlook.state == State::kUndecided ? kUndecided
-                                                                                 : kBlocked);
+    return blockers + (outlook.state == State::kFree        ? kFree
+                       : outlook.state == State::kUndecided ? kUndecided
+                                                            : kBlocked);
   }
   Relaxation& relaxation_;
+  const Weight& weight_;
 };
 
 }  // namespace
@@ -170,8 +172,9 @@ std::optional<Way> WaySearch::throughOpenCells(const Relaxation& relaxation, Int
 }
 
 std::optional<std::vector<std::size_t>> WaySearch::fewestBlockers(Relaxation& relaxation,
+                                                                  const Weight& weight,
                                                                   Interrupt& interrupt) {
-  FewestBlockers costs(relaxation);
+  FewestBlockers costs(relaxation, weight);
   const auto way = Run<FewestBlockers>(*this, relaxation, costs, interrupt).find();
   if (!way) return std::nullopt;
   Blockers all;

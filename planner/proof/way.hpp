@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Step {
   std::optional<std::uint32_t> exit;  ///< index into the stance's exits
 };
 using Way = std::vector<Step>;
+/// Of an obstacle.
+using Weight = std::function<double(std::size_t)>;
 
 /// Looks for ways from start to goal (Dijkstra 1959), again and again while cells are halved. Nothing is
 /// found if there is none, or when interrupted (ask the interrupt).
@@ -23,8 +26,9 @@ class WaySearch {
   /// Through open cells; of all ways the one through the fewest and largest undecided ones.
   [[nodiscard]] std::optional<Way> throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt);
 
-  /// The obstacles, as indices into the world's, that are on the way that has the fewest of them on it.
+  /// The obstacles, as indices into the world's, that are on the way on which they weigh least.
   [[nodiscard]] std::optional<std::vector<std::size_t>> fewestBlockers(Relaxation& relaxation,
+                                                                       const Weight& weight,
                                                                        Interrupt& interrupt);
 
  private:
