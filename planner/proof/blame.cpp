@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "planner/proof/need.hpp"
 #include "planner/proof/way.hpp"
@@ -12,6 +13,7 @@ namespace {
 using Set = std::vector<std::size_t>;  // of obstacles, as indices into the world's
 
 constexpr int kMostRounds = 8;               // of adding obstacles until a way opens
+constexpr std::size_t kMostTries = 6;        // of finding a lighter way
 constexpr std::size_t kMostLacks = 8;        // that are looked at until one is decisive
 constexpr std::size_t kCellsBesides = 4000;  // that a question about a changed world is worth, at least
 
@@ -30,7 +32,7 @@ class Culprits {
     const bool is_enough = gather();
     result.is_irreducible = is_enough && reduce();
     for (const std::size_t obstacle : all_) {
-      const auto lack = lackOf(obstacle);
+      const auto lack = lackToTell(obstacle);
       const std::string& id = checker_.world().obstacles()[obstacle].id;
       result.blocking.push_back(lack ? lack->blocking : Blocking{id, "", "", 0.0, 0.0});
       if (!result.sentence.empty()) result.sentence += "; ";
@@ -49,11 +51,35 @@ class Culprits {
       Relaxation relaxation = proof_.relaxation;
       relaxation.lift(all_, std::nullopt, interrupt_);
       if (!all_.empty() && !isClosed(relaxation)) return isSolvableWithout(all_);
-      const auto weight = [&](std::size_t obstacle) { return weightOf(obstacle); };
-      const auto more = WaySearch().fewestBlockers(relaxation, weight, interrupt_);
-      if (!more || more->empty()) return false;
-      all_.insert(all_.end(), more->begin(), more->end());
+      const Set more = lightestMore(relaxation);
+      if (more.empty()) return false;
+      all_.insert(all_.end(), more.begin(), more.end());
     }
+    return false;
+  }
+
+  /// Those on the lightest way. What is guessed to be missing there is made sure of, which may make it
+  /// heavier; until no other way is lighter.
+  Set lightestMore(Relaxation& relaxation) {
+    Set best;
+    for (std::size_t tries = 0; tries < kMostTries && !interrupt_.isDueNow(); ++tries) {
+      const auto more = WaySearch().fewestBlockers(
+          relaxation, [&](std::size_t o) { return weightOf(o); }, interrupt_);
+      if (!more) return best;
+      best = *more;
+      bool was_known = true;
+      for (const std::size_t one : best) was_known = makeSure(one, best) && was_known;
+      if (was_known) return best;
+    }
+    return best;
+  }
+
+  /// Whether what is missing at an obstacle was known already, the others gone.
+  bool makeSure(std::size_t obstacle, Set others) {
+    if (!sure_.insert(obstacle).second) return true;
+    others.insert(others.end(), all_.begin(), all_.end());
+    const auto lack = lackOf(obstacle, without(others, obstacle));
+    weights_[obstacle] = weightFor(lack);
     return false;
   }
 
@@ -74,22 +100,30 @@ class Culprits {
     return is_shown;
   }
 
-  /// What is missing least of what is decisive: if the obstacle were not there for that shape alone, or if
-  /// what is on the other side of the gap were not there at all, a way would open, the other obstacles gone.
-  std::optional<Lack> lackOf(std::size_t obstacle) {
+  /// What is missing least of what is decisive, some other obstacles gone: if the obstacle were not there for
+  /// that shape alone, a way would open, and likewise if what is on the other side of the gap were not.
+  std::optional<Lack> lackOf(std::size_t obstacle, const Set& gone) {
     Relaxation relaxation = proof_.relaxation;
-    relaxation.lift(without(all_, obstacle), std::nullopt, interrupt_);
-    const std::vector<Lack> lacks = lacksAt(checker_, relaxation.stances(), obstacle);
+    relaxation.lift(gone, std::nullopt, interrupt_);
     std::map<std::pair<std::size_t, std::optional<std::size_t>>, bool> known;
     const auto opens = [&](std::size_t lifted, std::optional<std::size_t> shape) {
       const auto [at, is_new] = known.try_emplace({lifted, shape}, false);
       if (is_new) at->second = opensWithout(relaxation, lifted, shape);
       return at->second;
     };
-    for (const Lack& lack : lacks) {
+    for (const Lack& lack : lacksAt(checker_, relaxation.stances(), obstacle)) {
       if (known.size() >= kMostLacks || interrupt_.isDueNow()) break;
-      if (opens(obstacle, lack.shape) && (!lack.partner || opens(*lack.partner, std::nullopt))) return lack;
+      // What ends a switch's box ends the body that stands there as well.
+      const auto lifted_for = lack.is_of_switch ? std::nullopt : std::optional(lack.shape);
+      if (opens(obstacle, lack.shape) && (!lack.partner || opens(*lack.partner, lifted_for))) return lack;
     }
+    return std::nullopt;
+  }
+
+  /// The decisive one, or else that which is missing least.
+  std::optional<Lack> lackToTell(std::size_t obstacle) {
+    if (auto lack = lackOf(obstacle, without(all_, obstacle))) return lack;
+    const auto lacks = lacksAt(checker_, proof_.relaxation.stances(), obstacle);
     return lacks.empty() ? std::nullopt : std::optional(lacks.front());
   }
 
@@ -110,14 +144,20 @@ class Culprits {
     return is_solvable_(std::make_shared<const World>(std::move(world)));
   }
 
-  /// One obstacle weighs less than two; of as many those weigh less at which less is missing.
+  /// One obstacle weighs less than two; of as many those weigh less at which less is missing. At first that
+  /// is a guess, and never too much.
   double weightOf(std::size_t obstacle) {
-    constexpr double kMost_m = 1.0;
-    const auto [at, is_new] = weights_.try_emplace(obstacle, 1.0);
-    if (is_new)
-      if (const auto lacks = lacksAt(checker_, proof_.relaxation.stances(), obstacle); !lacks.empty())
-        at->second += 0.1 * std::min(kMost_m, lacks.front().missing_m());
+    const auto [at, is_new] = weights_.try_emplace(obstacle, 0.0);
+    if (is_new) {
+      const auto lacks = lacksAt(checker_, proof_.relaxation.stances(), obstacle);
+      at->second = weightFor(lacks.empty() ? std::nullopt : std::optional(lacks.front()));
+    }
     return at->second;
+  }
+
+  static double weightFor(const std::optional<Lack>& lack) {
+    constexpr double kMost_m = 1.0;
+    return 1.0 + 0.1 * (lack ? std::min(kMost_m, lack->missing_m()) : kMost_m);
   }
 
   const Checker& checker_;
@@ -126,6 +166,7 @@ class Culprits {
   Interrupt& interrupt_;
   Set all_;
   std::map<std::size_t, double> weights_;
+  std::set<std::size_t> sure_;  // obstacles whose weight is no guess
 };
 
 }  // namespace

@@ -127,6 +127,7 @@ class Gauge {
                       {own_.id, checker_.robot().modes[part.mode].name, need.of, need.needs_m, has_m},
                       part.who,
                       partner,
+                      part.motion.kind == MotionKind::kSwitch,
                       is_beside_bounds});
   }
 

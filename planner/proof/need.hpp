@@ -15,6 +15,7 @@ struct Lack {
   Blocking blocking;                   ///< as errors tell it
   std::string who;                     ///< "crawl", "frontal to crawl"
   std::optional<std::size_t> partner;  ///< the obstacle on the other side of the gap
+  bool is_of_switch = false;           ///< the shape is a switch's box
   bool is_beside_bounds = false;       ///< the bounds are there
   [[nodiscard]] double missing_m() const { return blocking.needs_m - blocking.has_m; }
 };
