@@ -9,6 +9,7 @@
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
+#include "bench/refusals.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -17,6 +18,7 @@ namespace {
 constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
+    "  refusals    proofs that no plan exists: how many of the true ones are found, and how many are false\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
@@ -68,7 +70,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   if (arguments.name == "geometry") return bench::geometry(arguments.geometry, progress);
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
-  return bench::scenarios(*data, progress);
+  return arguments.name == "refusals" ? bench::refusals(*data, progress) : bench::scenarios(*data, progress);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -93,7 +95,7 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "geometry"}));
+      ->check(CLI::IsMember({"scenarios", "refusals", "geometry"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->geometry.quick, "geometry: a hundredth of the random cases");
