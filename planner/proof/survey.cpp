@@ -173,32 +173,32 @@ std::array<double, 3> Survey::costs(const Core& core, const Extent& extent, Poin
 }
 
 /// The one to halve: where the middle of the cell is blocked, that which costs most of being blocked all
-/// over, unless another is much longer; else the longest.
-std::uint8_t Survey::axisToHalve(const Core& core, const Extent& extent, const Fit& best) {
-  constexpr double kOfLength = 0.1;
-  std::array<double, 3> cost = costs(core, extent, best.worst);
-  if (best.slack_m + cost[kX] + cost[kY] + cost[kYaw] <= 0.0) cost = {};
-  cost[kX] += kOfLength * extent.x_m;
-  cost[kY] += kOfLength * extent.y_m;
-  cost[kYaw] += kOfLength * 0.5 * extent.yaw_rad * core.radius_m;
-  return static_cast<std::uint8_t>(std::max_element(cost.begin(), cost.end()) - cost.begin());
+/// over, unless one costs ten times as much of being blocked by something else; where it is free, that which
+/// costs most of all.
+std::uint8_t Survey::axisToHalve(const Core& core, const Extent& extent, std::span<const Fit> fits) {
+  constexpr double kOfOthers = 0.1;
+  std::array<double, 3> score{};
+  for (const Fit& fit : fits) {
+    const auto cost = costs(core, extent, fit.worst);
+    for (std::size_t axis = 0; axis < 3; ++axis) score[axis] = std::max(score[axis], kOfOthers * cost[axis]);
+  }
+  const Fit& best = *std::max_element(fits.begin(), fits.end(),
+                                      [](const Fit& a, const Fit& b) { return a.slack_m < b.slack_m; });
+  const auto cost = costs(core, extent, best.worst);
+  if (best.slack_m + cost[kX] + cost[kY] + cost[kYaw] > 0.0)
+    for (std::size_t axis = 0; axis < 3; ++axis) score[axis] += cost[axis];
+  return static_cast<std::uint8_t>(std::max_element(score.begin(), score.end()) - score.begin());
 }
 
-/// The same for what is beyond the bounds: by the side that it is nearest to being wholly beyond of.
-Survey::Fit Survey::fitOfBounds(const Core& core, const Extent& extent) const {
+/// The same for what is beyond the bounds: by each side that some pose of the cell may stick out of.
+void Survey::addFitsOfBounds(const Core& core, const Extent& extent, std::vector<Fit>& fits) const {
+  static constexpr std::array<Point, 4> kInwards{Point{-1, 0}, Point{0, -1}, Point{1, 0}, Point{0, 1}};
   const auto [x, y] = extent.middle.position();
-  const std::array<Fit, 4> sides{Fit{x - extent.x_m + core.least[0] - width_m_, {-1.0, 0.0}},
-                                 Fit{y - extent.y_m + core.least[1] - height_m_, {0.0, -1.0}},
-                                 Fit{core.least[2] - x - extent.x_m, {1.0, 0.0}},
-                                 Fit{core.least[3] - y - extent.y_m, {0.0, 1.0}}};
-  return *std::max_element(sides.begin(), sides.end(),
-                           [](const Fit& a, const Fit& b) { return a.slack_m < b.slack_m; });
-}
-
-bool Survey::isInside(const Core& core, const Extent& extent) const {
-  const auto [x, y] = extent.middle.position();
-  return x + extent.x_m + core.most[0] <= width_m_ && y + extent.y_m + core.most[1] <= height_m_ &&
-         x - extent.x_m - core.most[2] >= 0.0 && y - extent.y_m - core.most[3] >= 0.0;
+  const std::array<double, 4> beyond{x - width_m_, y - height_m_, -x, -y};  // the origin, at the middle
+  const std::array<double, 4> reach{extent.x_m, extent.y_m, extent.x_m, extent.y_m};
+  for (std::size_t side = 0; side < 4; ++side)
+    if (beyond[side] + reach[side] + core.most[side] > 0.0)
+      fits.push_back({beyond[side] - reach[side] + core.least[side], kInwards[side]});
 }
 
 template <class Candidates>
@@ -208,8 +208,11 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
   const Core& core = coreFor(shape, box[kYaw], extent);
   Outlook outlook;
   outlook.first = static_cast<std::uint32_t>(listed_.size());
-  Fit best = fitOfBounds(core, extent);
-  if (best.slack_m > kSure_m) {
+  std::vector<Fit>& fits = fits_;
+  fits.clear();
+  addFitsOfBounds(core, extent, fits);
+  const auto is_sure = [](const Fit& fit) { return fit.slack_m > kSure_m; };
+  if (std::any_of(fits.begin(), fits.end(), is_sure)) {
     outlook.state = Outlook::State::kOutside;
     return outlook;
   }
@@ -219,17 +222,16 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
     const Patch& patch = patches_[shape][index];
     if (isLifted(shape, patch) || areApart(core, extent, patch)) continue;
     listed_.push_back(index);
-    const Fit fit = fitOf(core, extent, patch);
-    is_blocked = is_blocked || fit.slack_m > 0.0;
-    if (fit.slack_m > best.slack_m) best = fit;
+    fits.push_back(fitOf(core, extent, patch));
+    is_blocked = is_blocked || fits.back().slack_m > 0.0;
   }
   outlook.count = static_cast<std::uint32_t>(listed_.size()) - outlook.first;
   if (is_blocked)
     outlook.state = Outlook::State::kBlocked;
-  else if (outlook.count == 0 && isInside(core, extent) && !interrupt.isDue())
+  else if (!fits.empty())
+    outlook.axis = axisToHalve(core, extent, fits);
+  else if (!interrupt.isDue())
     outlook.state = Outlook::State::kFree;
-  else
-    outlook.axis = axisToHalve(core, extent, best);
   return outlook;
 }
 

@@ -97,9 +97,9 @@ class Survey {
   [[nodiscard]] bool areApart(const Core& core, const Extent& extent, const Patch& patch) const;
   [[nodiscard]] Fit fitOf(const Core& core, const Extent& extent, const Patch& patch) const;
   [[nodiscard]] static std::array<double, 3> costs(const Core& core, const Extent& extent, Point direction);
-  [[nodiscard]] static std::uint8_t axisToHalve(const Core& core, const Extent& extent, const Fit& best);
-  [[nodiscard]] Fit fitOfBounds(const Core& core, const Extent& extent) const;
-  [[nodiscard]] bool isInside(const Core& core, const Extent& extent) const;
+  [[nodiscard]] static std::uint8_t axisToHalve(const Core& core, const Extent& extent,
+                                                std::span<const Fit> fits);
+  void addFitsOfBounds(const Core& core, const Extent& extent, std::vector<Fit>& fits) const;
   template <class Candidates>
   Outlook lookAmong(std::size_t shape, const CellBox& box, std::size_t count, const Candidates& candidate,
                     Interrupt& interrupt);
@@ -111,6 +111,7 @@ class Survey {
   std::vector<std::vector<Patch>> patches_;   // by shape
   std::vector<std::vector<char>> is_lifted_;  // by obstacle
   std::vector<std::uint32_t> listed_;         // candidates of all outlooks: indices into patches_[shape]
+  std::vector<Fit> fits_;                     // of one look; kept, so that looking allocates little
   std::deque<Core> cores_;
   std::unordered_map<std::uint64_t, std::uint32_t> core_at_;
 };
