@@ -76,12 +76,31 @@ Grid gridOver(const Bounds& bounds, const std::vector<Shape>& shapes) {
           kRevolution / kWholeAxis};
 }
 
+void Survey::Patches::add(std::size_t shape, const Outline& outline, Point center, std::size_t obstacle) {
+  const auto end = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+  Patch patch{end(corners), end(outline.corners), end(normals), end(outline.normals), obstacle, center, 0.0};
+  for (const Point p : outline.corners) patch.radius_m = std::max(patch.radius_m, distance(center, p));
+  corners.insert(corners.end(), outline.corners.begin(), outline.corners.end());
+  normals.insert(normals.end(), outline.normals.begin(), outline.normals.end());
+  offsets.insert(offsets.end(), outline.offsets.begin(), outline.offsets.end());
+  of_shape[shape].push_back(patch);
+}
+
+double Survey::Patches::reach(const Patch& patch, Point direction) const {
+  double reach = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < patch.corners; ++i)
+    reach = std::max(reach, dot(direction, corners[patch.first_corner + i]));
+  return reach;
+}
+
 Survey::Survey(const Checker& checker, const Stances& stances, Interrupt& interrupt)
     : grid_(gridOver(checker.world().bounds(), stances.shapes)),
       width_m_(checker.world().bounds().width_m),
       height_m_(checker.world().bounds().height_m),
-      patches_(stances.shapes.size()),
       is_lifted_(stances.shapes.size(), std::vector<char>(checker.world().obstacles().size(), 0)) {
+  const Obstacles& obstacles = checker.world().obstacles();
+  const auto patches = std::make_shared<Patches>();
+  patches->of_shape.resize(stances.shapes.size());
   for (std::size_t shape = 0; shape < stances.shapes.size(); ++shape) {
     footprints_.push_back(stances.shapes[shape].footprint);
     const Tree& tree = stances.shapes[shape].seen->tree();
@@ -92,14 +111,11 @@ Survey::Survey(const Checker& checker, const Stances& stances, Interrupt& interr
       withCorners(piece, [&](ConvexView view) {
         for (const Point p : view) corners.push_back(grid_.inCorner({p.x, p.y, 0.0}).position());
       });
-      Patch patch{
-          outlineOf(std::move(corners)), {}, 0.0, *checker.world().obstacles().find(piece.obstacle->id)};
-      patch.center = grid_.inCorner({piece.around.center.x, piece.around.center.y, 0.0}).position();
-      for (const Point p : patch.outline.corners)
-        patch.radius_m = std::max(patch.radius_m, distance(patch.center, p));
-      patches_[shape].push_back(std::move(patch));
+      const Point center = grid_.inCorner({piece.around.center.x, piece.around.center.y, 0.0}).position();
+      patches->add(shape, outlineOf(std::move(corners)), center, *obstacles.find(piece.obstacle->id));
     });
   }
+  patches_ = patches;
 }
 
 const Core& Survey::coreFor(std::size_t shape, UnitRange yaw, const Extent& extent) {
@@ -125,16 +141,16 @@ bool Survey::areApart(const Core& core, const Extent& extent, const Patch& patch
     for (const Point p : points) most = std::max(most, dot(p, u));
     return most;
   };
-  for (std::size_t i = 0; i < patch.outline.normals.size(); ++i) {
-    const Point n = patch.outline.normals[i];
+  for (std::uint32_t i = patch.first_edge; i < patch.first_edge + patch.edges; ++i) {
+    const Point n = patches_->normals[i];
     const Point back{-n.x, -n.y};
-    if (dot(n, at) - extent_along(n) - reach_of(core.all, back) > patch.outline.offsets[i]) return true;
+    if (dot(n, at) - extent_along(n) - reach_of(core.all, back) > patches_->offsets[i]) return true;
   }
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double angle = extent.middle.yaw + 0.5 * std::numbers::pi * quarter;
     const Point n{std::cos(angle), std::sin(angle)};
     const Point back{-n.x, -n.y};
-    if (dot(n, at) + extent_along(n) + reach_of(core.all, n) < -patch.outline.reach(back)) return true;
+    if (dot(n, at) + extent_along(n) + reach_of(core.all, n) < -patches_->reach(patch, back)) return true;
   }
   return false;
 }
@@ -150,14 +166,14 @@ Survey::Fit Survey::fitOf(const Core& core, const Extent& extent, const Patch& p
         reach - dot(u, at) - std::abs(u.x) * extent.x_m - std::abs(u.y) * extent.y_m - kSure_m;
     if (slack < fit.slack_m) fit = {slack, u};
   };
-  for (std::size_t i = 0; i < patch.outline.normals.size(); ++i) {
-    const Point n = patch.outline.normals[i];
-    consider(n, patch.outline.offsets[i] + core.common.reach({-n.x, -n.y}));
+  for (std::uint32_t i = patch.first_edge; i < patch.first_edge + patch.edges; ++i) {
+    const Point n = patches_->normals[i];
+    consider(n, patches_->offsets[i] + core.common.reach({-n.x, -n.y}));
   }
   for (std::size_t i = 0; i < core.common.normals.size(); ++i) {
     const Point n = core.common.normals[i];
     const Point back{-n.x, -n.y};
-    consider(back, core.common.offsets[i] + patch.outline.reach(back));
+    consider(back, core.common.offsets[i] + patches_->reach(patch, back));
   }
   return fit;
 }
@@ -219,7 +235,7 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
   bool is_blocked = false;
   for (std::size_t i = 0; i < count && !interrupt.isDue(); ++i) {
     const std::uint32_t index = candidate(i);
-    const Patch& patch = patches_[shape][index];
+    const Patch& patch = patches_->of_shape[shape][index];
     if (isLifted(shape, patch) || areApart(core, extent, patch)) continue;
     listed_.push_back(index);
     fits.push_back(fitOf(core, extent, patch));
@@ -237,8 +253,8 @@ Outlook Survey::lookAmong(std::size_t shape, const CellBox& box, std::size_t cou
 
 Outlook Survey::look(std::size_t shape, const CellBox& box, Interrupt& interrupt) {
   return lookAmong(
-      shape, box, patches_[shape].size(), [](std::size_t i) { return static_cast<std::uint32_t>(i); },
-      interrupt);
+      shape, box, patches_->of_shape[shape].size(),
+      [](std::size_t i) { return static_cast<std::uint32_t>(i); }, interrupt);
 }
 
 Outlook Survey::lookAgain(std::size_t shape, const CellBox& box, const Outlook& before,
@@ -250,7 +266,7 @@ Outlook Survey::lookAgain(std::size_t shape, const CellBox& box, const Outlook& 
 bool Survey::mayTouchLifted(std::size_t shape, const Outlook& outlook) const {
   const auto begin = listed_.begin() + outlook.first;
   return std::any_of(begin, begin + outlook.count,
-                     [&](std::uint32_t index) { return isLifted(shape, patches_[shape][index]); });
+                     [&](std::uint32_t index) { return isLifted(shape, patches_->of_shape[shape][index]); });
 }
 
 std::vector<std::size_t> Survey::blockersOf(std::size_t shape, const CellBox& box, const Outlook& outlook) {
@@ -258,7 +274,7 @@ std::vector<std::size_t> Survey::blockersOf(std::size_t shape, const CellBox& bo
   const Extent extent = grid_.extentOf(box);
   const Core& core = coreFor(shape, box[kYaw], extent);
   for (std::uint32_t i = 0; i < outlook.count; ++i) {
-    const Patch& patch = patches_[shape][listed_[outlook.first + i]];
+    const Patch& patch = patches_->of_shape[shape][listed_[outlook.first + i]];
     if (!isLifted(shape, patch) && fitOf(core, extent, patch).slack_m > 0.0)
       blockers.push_back(patch.obstacle);
   }

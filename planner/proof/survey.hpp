@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -77,11 +78,25 @@ class Survey {
                                                     const Outlook& outlook);
 
  private:
-  struct Patch {  // a piece of floor that a shape must not touch, in the corner's frame
-    Outline outline;
+  /// A piece of floor that a shape must not touch, in the corner's frame.
+  struct Patch {
+    std::uint32_t first_corner;  // in Patches' lists
+    std::uint32_t corners;
+    std::uint32_t first_edge;
+    std::uint32_t edges;
+    std::size_t obstacle;
     Point center;
     double radius_m;
-    std::size_t obstacle;
+  };
+  /// All of them, in few lists, and shared by copies: so that it is quick to copy and to destroy.
+  struct Patches {
+    std::vector<std::vector<Patch>> of_shape;
+    std::vector<Point> corners;
+    std::vector<Point> normals;   // of the edges
+    std::vector<double> offsets;  // of the edges
+
+    void add(std::size_t shape, const Outline& outline, Point center, std::size_t obstacle);
+    [[nodiscard]] double reach(const Patch& patch, Point direction) const;
   };
   struct Fit {  // how far a cell is from being blocked by a patch: blocked if slack_m > 0
     double slack_m;
@@ -107,8 +122,8 @@ class Survey {
   Grid grid_;
   double width_m_;  // of the bounds
   double height_m_;
-  std::vector<Footprint> footprints_;         // by shape
-  std::vector<std::vector<Patch>> patches_;   // by shape
+  std::vector<Footprint> footprints_;  // by shape
+  std::shared_ptr<const Patches> patches_;
   std::vector<std::vector<char>> is_lifted_;  // by obstacle
   std::vector<std::uint32_t> listed_;         // candidates of all outlooks: indices into patches_[shape]
   std::vector<Fit> fits_;                     // of one look; kept, so that looking allocates little
