@@ -30,7 +30,8 @@ struct Proof {
 [[nodiscard]] bool closes(Relaxation& relaxation, std::size_t most_cells, Interrupt& interrupt);
 
 /// The least clearance that any segment of a plan must keep: the robot's margin, or what the start has, or
-/// what a pose within the tolerance of the goal has at least, if that is less.
-[[nodiscard]] double leastMargin(const Checker& checker, const Request& request);
+/// what a pose within the tolerance of the goal has at least, if that is less. Of no use when
+/// interrupted.
+[[nodiscard]] double leastMargin(const Checker& checker, const Request& request, Interrupt& interrupt);
 
 }  // namespace underway

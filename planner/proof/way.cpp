@@ -84,6 +84,8 @@ class WaySearch::Run {
         costs_(costs),
         interrupt_(interrupt),
         known_(memory.known_),
+        is_confined_(memory.is_confined_),
+        is_within_(memory.is_within_),
         round_(++memory.round_) {
     known_.resize(relaxation.stances().all.size());
     for (std::size_t s = 0; s < known_.size(); ++s) known_[s].resize(relaxation.cells(s).size());
@@ -95,7 +97,7 @@ class WaySearch::Run {
       const auto [cost, place] = open_.top();
       open_.pop();
       if (cost > costOf(place)) continue;
-      if (relaxation_.isGoal(place)) return wayTo(place);
+      if (relaxation_.isGoal(place)) return Way{wayTo(place), cost};
       expand(place, cost);
     }
     return std::nullopt;
@@ -114,9 +116,13 @@ class WaySearch::Run {
   }
 
   void reach(const Place& place, double cost, const Step& before, bool is_start = false) {
-    if (!(cost < costOf(place))) return;
+    if (!(cost < costOf(place)) || !mayPass(place)) return;
     known(place) = {cost, before, round_, is_start};
     open_.push({cost, place});
+  }
+
+  [[nodiscard]] bool mayPass(const Place& place) const {
+    return !is_confined_ || is_within_[place.stance][place.cell] != 0;
   }
 
   void expand(const Place& place, double cost) {
@@ -131,7 +137,7 @@ class WaySearch::Run {
     const Step walking{place, std::nullopt};
     for (const CellId next : relaxation_.cells(place.stance).neighbours(place.cell)) {
       const Place to{place.stance, next};
-      if (costOf(to) <= cost || !relaxation_.leadsTo(place, next)) continue;
+      if (!mayPass(to) || costOf(to) <= cost || !relaxation_.leadsTo(place, next)) continue;
       reach(to, cost + costs_.toBody(walking, to), walking);
     }
   }
@@ -142,7 +148,7 @@ class WaySearch::Run {
     relaxation_.findBeyond(place, exit, found_);
     for (const CellId cell : found_) {
       const Place to{relaxation_.stance(place).exits[exit].to, cell};
-      if (costOf(to) <= cost) continue;
+      if (!mayPass(to) || costOf(to) <= cost) continue;
       const double more = costs_.toBody(switching, to);
       // A switch may lead on from where the body as it stands would touch.
       const bool leads_on = Costs::kPassesClosedBySwitch && more == kClosed;
@@ -150,8 +156,8 @@ class WaySearch::Run {
     }
   }
 
-  Way wayTo(const Place& goal) {
-    Way way{{goal, std::nullopt}};
+  std::vector<Step> wayTo(const Place& goal) {
+    std::vector<Step> way{{goal, std::nullopt}};
     for (Place at = goal; !known(at).is_start; at = way.back().place) way.push_back(known(at).before);
     std::reverse(way.begin(), way.end());
     return way;
@@ -161,10 +167,30 @@ class WaySearch::Run {
   Costs& costs_;
   Interrupt& interrupt_;
   std::vector<std::vector<Known>>& known_;
+  bool is_confined_;
+  const std::vector<std::vector<char>>& is_within_;
   std::uint32_t round_;
   std::priority_queue<Open> open_;
   std::vector<CellId> found_;
 };
+
+void WaySearch::confineTo(const Relaxation& relaxation, const Way& way) {
+  is_confined_ = true;
+  is_within_.resize(relaxation.stances().all.size());
+  for (std::size_t s = 0; s < is_within_.size(); ++s) is_within_[s].assign(relaxation.cells(s).size(), 0);
+  for (const Step& step : way.steps) {
+    const auto& [stance, cell] = step.place;
+    is_within_[stance][cell] = 1;
+    if (relaxation.ofBody(step.place).state != State::kUndecided) continue;
+    for (const CellId next : relaxation.cells(stance).neighbours(cell)) is_within_[stance][next] = 1;
+  }
+}
+
+void WaySearch::noteHalves(const Relaxation::Place& lower, CellId upper) {
+  std::vector<char>& is_within = is_within_[lower.stance];
+  is_within.resize(upper + 1, 0);
+  is_within[upper] = is_within[lower.cell];
+}
 
 std::optional<Way> WaySearch::throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt) {
   OpenCells costs(relaxation);
@@ -179,7 +205,7 @@ std::optional<std::vector<std::size_t>> WaySearch::fewestBlockers(Relaxation& re
   if (!way) return std::nullopt;
   Blockers all;
   const auto add = [&](const Blockers& some) { all.insert(all.end(), some.begin(), some.end()); };
-  for (const Step& step : *way) {
+  for (const Step& step : way->steps) {
     add(relaxation.blockersOfBody(step.place));
     if (step.exit) add(relaxation.blockersOfExit(step.place, *step.exit));
   }

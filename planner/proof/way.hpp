@@ -15,7 +15,10 @@ struct Step {
   Relaxation::Place place;
   std::optional<std::uint32_t> exit;  ///< index into the stance's exits
 };
-using Way = std::vector<Step>;
+struct Way {
+  std::vector<Step> steps;
+  double cost = 0.0;  ///< grows with the number of undecided cells and with how small they are
+};
 /// Of an obstacle.
 using Weight = std::function<double(std::size_t)>;
 
@@ -25,6 +28,13 @@ class WaySearch {
  public:
   /// Through open cells; of all ways the one through the fewest and largest undecided ones.
   [[nodiscard]] std::optional<Way> throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt);
+
+  /// From now on only through the cells of a way, those beside its undecided ones, and the halves of all of
+  /// them: that is quick. All halves must be told of.
+  void confineTo(const Relaxation& relaxation, const Way& way);
+  void noteHalves(const Relaxation::Place& lower, CellId upper);
+  /// From now on through all cells again.
+  void goAnywhere() { is_confined_ = false; }
 
   /// The obstacles, as indices into the world's, that are on the way on which they weigh least.
   [[nodiscard]] std::optional<std::vector<std::size_t>> fewestBlockers(Relaxation& relaxation,
@@ -43,6 +53,8 @@ class WaySearch {
 
   std::vector<std::vector<Known>> known_;  // by stance and cell; kept, so that a search allocates little
   std::uint32_t round_ = 0;
+  bool is_confined_ = false;
+  std::vector<std::vector<char>> is_within_;  // by stance and cell, if confined
 };
 
 }  // namespace underway
