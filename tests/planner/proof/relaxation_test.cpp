@@ -6,6 +6,7 @@
 
 #include "bench/rooms.hpp"
 #include "planner/proof/proof.hpp"
+#include "planner/proof/way.hpp"
 #include "tests/geometry/random_world.hpp"
 #include "tests/planner/fixture.hpp"
 
@@ -92,6 +93,56 @@ TEST(Relaxation, SaysOnlyWhatHoldsAtEveryPoseOfACell) {
   EXPECT_GT(blocked, 3000);
   EXPECT_GT(outside, 300);
   EXPECT_GT(free, 3000);
+}
+
+/// Halves all cells that a plan passes, again and again.
+void halveAlong(const Plan& plan, const Checker& checker, Relaxation& relaxation, test::RandomWorld& random) {
+  const Grid grid = gridOver(checker.world().bounds(), relaxation.stances().shapes);
+  Interrupt interrupt(test::soon(), {});
+  const auto halveAt = [&](ModeId mode, const Pose& map) {
+    const std::uint32_t stance = relaxation.stances().of_mode[mode];
+    const Pose pose = grid.inCorner(map);
+    std::vector<CellId> found;
+    relaxation.cells(stance).findTouching(
+        grid.boxAround({pose.x, pose.x}, {pose.y, pose.y}, {pose.yaw, pose.yaw}), found);
+    for (const CellId cell : found) {
+      const auto axis = static_cast<std::size_t>(random.oneOf(3));
+      if (relaxation.canSplit({stance, cell}, axis)) relaxation.split({stance, cell}, axis, interrupt);
+    }
+  };
+  constexpr int kSamples = 12;
+  for (int round = 0; round < 24; ++round) {
+    for (const Segment& segment : plan.segments) {
+      const Motion& motion = segment.motion;
+      for (int i = 0; i <= kSamples; ++i) {
+        const double t = static_cast<double>(i) / kSamples;
+        const Pose at{motion.from.x + t * (motion.to.x - motion.from.x),
+                      motion.from.y + t * (motion.to.y - motion.from.y),
+                      motion.from.yaw + t * motion.angle_rad};
+        halveAt(motion.mode, motion.kind == MotionKind::kSwitch ? motion.from : at);
+      }
+      halveAt(motion.to_mode, motion.to);
+    }
+  }
+}
+
+TEST(Relaxation, LeavesTheWayOfAPlanOpenHoweverSmallItsCellsAre) {
+  test::RandomWorld random(7);
+  int plans = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const bench::Room room =
+        seed % 4 == 0 ? bench::clutteredRoom(seed) : bench::roomWith(bench::kNeeds[seed % 5], 0.02, seed);
+    Planner planner(room.world, test::nao());
+    const auto plan = planner.plan(room.request, Planner::Clock::now() + std::chrono::milliseconds(500));
+    if (!plan) continue;
+    ++plans;
+    Interrupt interrupt(test::soon(), {});
+    Relaxation dut(planner.checker(), room.request, leastMargin(planner.checker(), room.request, interrupt),
+                   interrupt);
+    halveAlong(*plan, planner.checker(), dut, random);
+    EXPECT_TRUE(WaySearch().throughOpenCells(dut, interrupt)) << "seed " << seed;
+  }
+  EXPECT_GT(plans, 8);
 }
 
 TEST(Relaxation, ForgetsALiftedObstacleAsIfItHadNeverBeenThere) {
