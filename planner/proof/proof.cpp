@@ -53,6 +53,7 @@ class Refinement {
   bool refine(Way way) {
     const double most = kCostlier * way.cost;
     search_.confineTo(relaxation_, way);
+    search_.letBeside(relaxation_, way);
     while (mayGoOn()) {
       if (!splitUndecided(way) && !splitSwitching(way)) return false;
       auto remains = search_.throughOpenCells(relaxation_, interrupt_);

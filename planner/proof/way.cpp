@@ -178,9 +178,12 @@ void WaySearch::confineTo(const Relaxation& relaxation, const Way& way) {
   is_confined_ = true;
   is_within_.resize(relaxation.stances().all.size());
   for (std::size_t s = 0; s < is_within_.size(); ++s) is_within_[s].assign(relaxation.cells(s).size(), 0);
+  for (const Step& step : way.steps) is_within_[step.place.stance][step.place.cell] = 1;
+}
+
+void WaySearch::letBeside(const Relaxation& relaxation, const Way& way) {
   for (const Step& step : way.steps) {
     const auto& [stance, cell] = step.place;
-    is_within_[stance][cell] = 1;
     if (relaxation.ofBody(step.place).state != State::kUndecided) continue;
     for (const CellId next : relaxation.cells(stance).neighbours(cell)) is_within_[stance][next] = 1;
   }

@@ -29,9 +29,11 @@ class WaySearch {
   /// Through open cells; of all ways the one through the fewest and largest undecided ones.
   [[nodiscard]] std::optional<Way> throughOpenCells(const Relaxation& relaxation, Interrupt& interrupt);
 
-  /// From now on only through the cells of a way, those beside its undecided ones, and the halves of all of
-  /// them: that is quick. All halves must be told of.
+  /// From now on only through the cells of a way and the halves of them, all of which must be told of: that
+  /// is quick.
   void confineTo(const Relaxation& relaxation, const Way& way);
+  /// Through those beside its undecided ones too.
+  void letBeside(const Relaxation& relaxation, const Way& way);
   void noteHalves(const Relaxation::Place& lower, CellId upper);
   /// From now on through all cells again.
   void goAnywhere() { is_confined_ = false; }

@@ -95,36 +95,46 @@ TEST(Relaxation, SaysOnlyWhatHoldsAtEveryPoseOfACell) {
   EXPECT_GT(free, 3000);
 }
 
-/// Halves all cells that a plan passes, again and again.
-void halveAlong(const Plan& plan, const Checker& checker, Relaxation& relaxation, test::RandomWorld& random) {
-  const Grid grid = gridOver(checker.world().bounds(), relaxation.stances().shapes);
-  Interrupt interrupt(test::soon(), {});
-  const auto halveAt = [&](ModeId mode, const Pose& map) {
-    const std::uint32_t stance = relaxation.stances().of_mode[mode];
-    const Pose pose = grid.inCorner(map);
-    std::vector<CellId> found;
-    relaxation.cells(stance).findTouching(
-        grid.boxAround({pose.x, pose.x}, {pose.y, pose.y}, {pose.yaw, pose.yaw}), found);
-    for (const CellId cell : found) {
-      const auto axis = static_cast<std::size_t>(random.oneOf(3));
-      if (relaxation.canSplit({stance, cell}, axis)) relaxation.split({stance, cell}, axis, interrupt);
-    }
-  };
-  constexpr int kSamples = 12;
-  for (int round = 0; round < 24; ++round) {
-    for (const Segment& segment : plan.segments) {
-      const Motion& motion = segment.motion;
-      for (int i = 0; i <= kSamples; ++i) {
-        const double t = static_cast<double>(i) / kSamples;
-        const Pose at{motion.from.x + t * (motion.to.x - motion.from.x),
-                      motion.from.y + t * (motion.to.y - motion.from.y),
-                      motion.from.yaw + t * motion.angle_rad};
-        halveAt(motion.mode, motion.kind == MotionKind::kSwitch ? motion.from : at);
+/// Finds the cells that a plan passes.
+class PlanTracer {
+ public:
+  PlanTracer(const Plan& plan, const Checker& checker, const Relaxation& relaxation)
+      : plan_(plan),
+        relaxation_(relaxation),
+        grid_(gridOver(checker.world().bounds(), relaxation.stances().shapes)) {}
+
+  /// All within a distance of some poses of it, evenly taken; some more than once.
+  [[nodiscard]] std::vector<Relaxation::Place> places(int samples, double within_m) const {
+    std::vector<Relaxation::Place> found;
+    for (const auto& [motion, duration_s, closeness] : plan_.segments) {
+      const int count = motion.kind == MotionKind::kSwitch ? 0 : samples;  // a switch is not on its way
+      for (int i = 0; i <= count; ++i) {
+        const double t = count == 0 ? 0.0 : static_cast<double>(i) / count;
+        add(motion.mode,
+            {motion.from.x + t * (motion.to.x - motion.from.x),
+             motion.from.y + t * (motion.to.y - motion.from.y), motion.from.yaw + t * motion.angle_rad},
+            within_m, found);
       }
-      halveAt(motion.to_mode, motion.to);
+      add(motion.to_mode, motion.to, within_m, found);
     }
+    return found;
   }
-}
+
+ private:
+  void add(ModeId mode, const Pose& map, double within_m, std::vector<Relaxation::Place>& found) const {
+    const std::uint32_t stance = relaxation_.stances().of_mode[mode];
+    const Pose pose = grid_.inCorner(map);
+    const auto near = [&](double value) { return Range{value, value}.grown(within_m); };
+    std::vector<CellId> cells;
+    relaxation_.cells(stance).findTouching(grid_.boxAround(near(pose.x), near(pose.y), near(pose.yaw)),
+                                           cells);
+    for (const CellId cell : cells) found.push_back({stance, cell});
+  }
+
+  const Plan& plan_;
+  const Relaxation& relaxation_;
+  Grid grid_;
+};
 
 TEST(Relaxation, LeavesTheWayOfAPlanOpenHoweverSmallItsCellsAre) {
   test::RandomWorld random(7);
@@ -139,8 +149,17 @@ TEST(Relaxation, LeavesTheWayOfAPlanOpenHoweverSmallItsCellsAre) {
     Interrupt interrupt(test::soon(), {});
     Relaxation dut(planner.checker(), room.request, leastMargin(planner.checker(), room.request, interrupt),
                    interrupt);
-    halveAlong(*plan, planner.checker(), dut, random);
-    EXPECT_TRUE(WaySearch().throughOpenCells(dut, interrupt)) << "seed " << seed;
+    const PlanTracer tracer(*plan, planner.checker(), dut);
+    for (int round = 0; round < 18; ++round)
+      for (const Relaxation::Place& place : tracer.places(30, 0.0))
+        if (const auto axis = static_cast<std::size_t>(random.oneOf(3)); dut.canSplit(place, axis))
+          dut.split(place, axis, interrupt);
+    Way cells;
+    for (const Relaxation::Place& place : tracer.places(1000, 2e-3))
+      cells.steps.push_back({place, std::nullopt});
+    WaySearch search;
+    search.confineTo(dut, cells);
+    EXPECT_TRUE(search.throughOpenCells(dut, interrupt)) << "seed " << seed;
   }
   EXPECT_GT(plans, 8);
 }
