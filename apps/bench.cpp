@@ -14,6 +14,7 @@
 #include "bench/planner.hpp"
 #include "bench/planners.hpp"
 #include "bench/requests.hpp"
+#include "bench/refusals.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* kExamples =
     "Benchmarks:\n"
     "  scenarios   the OBB paper's scenarios from nothing to a certified plan, 50 seeds each\n"
+    "  refusals    proofs that no plan exists: how many of the true ones are found, and how many are false\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
@@ -155,7 +157,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
-  return bench::scenarios(*data, progress);
+  return arguments.name == "refusals" ? bench::refusals(*data, progress) : bench::scenarios(*data, progress);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -178,7 +180,7 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "geometry", "peers", "planner", "planners"}));
+      ->check(CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");

@@ -173,6 +173,7 @@ Checker Checker::at(std::shared_ptr<const World> revision) const {
 const World& Checker::world() const { return *engine_->world; }
 const Robot& Checker::robot() const { return *engine_->robot; }
 const Judge& Checker::judge() const { return engine_->judge; }
+const Layer& Checker::seenBy(const Motion& motion) const { return engine_->view(motion).seen; }
 
 bool Checker::isFree(const Motion& motion, double margin_m) const {
   const View& view = engine_->view(motion);

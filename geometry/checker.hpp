@@ -14,6 +14,7 @@
 namespace underway {
 
 class Judge;
+class Layer;
 
 /// Where an obstacle comes closest to a moving body.
 struct Nearest {
@@ -76,6 +77,9 @@ class Checker {
   /// Ids of obstacles that the motion touches when the body grows by `margin_m`, sorted, up to `most`.
   [[nodiscard]] std::vector<std::string> blockers(const Motion& motion, double margin_m,
                                                   std::size_t most = 8) const;
+
+  /// The pieces of floor that a motion's body must not touch; lives as long as the checker.
+  [[nodiscard]] const Layer& seenBy(const Motion& motion) const;
 
   /// The independent second opinion on a motion (geometry/judge.hpp); lives as long as the checker.
   [[nodiscard]] const Judge& judge() const;

@@ -18,6 +18,7 @@ class Interrupt {
     if (!due_) due_ = stop_.stop_requested() || Clock::now() >= deadline_;
     return due_;
   }
+  [[nodiscard]] Clock::time_point deadline() const { return deadline_; }
   [[nodiscard]] bool isStopped() const { return stop_.stop_requested(); }
   [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 

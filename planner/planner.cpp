@@ -5,9 +5,11 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "planner/answer.hpp"
 #include "planner/grow.hpp"
+#include "planner/impossible.hpp"
 #include "planner/interrupt.hpp"
 
 namespace underway {
@@ -21,14 +23,25 @@ struct Snapshot {
   std::shared_ptr<const LinkIndex> index;  // of the roadmap; empty until a change needs it
 };
 
+std::string timeoutMessage(Planner::Clock::duration took, const Roadmap* roadmap, const std::optional<Pose>& nearest) {
+  const std::string reached =
+      nearest ? fmt::format("; the nearest pose that was reached is ({:.2f} m, {:.2f} m, {:.2f} rad)", nearest->x,
+                            nearest->y, nearest->yaw)
+              : "";
+  return fmt::format("no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more time, "
+                     "or look at the places with `underway query`",
+                     std::chrono::duration<double>(took).count(), roadmap ? roadmap->batches : 0U, reached);
+}
+
 }  // namespace
 
 /// The snapshot that answers now, and the growth behind it. Whoever grows holds `growing`; whoever makes a
 /// snapshot out of the last one holds `changing`; whoever reads or publishes it holds `published`, for no longer
 /// than a copy of its pointers takes.
 struct Planner::State {
-  State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings settings)
-      : snapshot{std::make_shared<const Planning>(
+  State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings s)
+      : settings(s),
+        snapshot{std::make_shared<const Planning>(
                      std::make_shared<const Checker>(std::move(world), std::move(robot))),
                  nullptr, nullptr},
         growth(snapshot.planning->checker, settings) {}
@@ -117,6 +130,7 @@ struct Planner::State {
 
   static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
 
+  GrowthSettings settings;
   std::mutex changing;
   mutable std::mutex published;
   Snapshot snapshot;
@@ -142,40 +156,47 @@ void Planner::prepare(Clock::time_point deadline, const Progress& progress, cons
 
 Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
                              const Progress& progress) {
-  if (const auto refused = refusal(*checker(), request)) return tl::unexpected(*refused);
+  return plan(request, deadline, stop, progress, Proving::kYes);
+}
+
+Expected<Plan> Planner::findPlan(const Request& request, Clock::time_point deadline,
+                                 const std::stop_token& stop, const Progress& progress) {
+  return plan(request, deadline, stop, progress, Proving::kNo);
+}
+
+Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
+                             const Progress& progress, Proving proving) {
+  if (auto refused = refusal(*checker(), request)) return tl::unexpected(*std::move(refused));
   const auto started = Clock::now();
   Interrupt interrupt(deadline, stop);
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
   Interrupt growing_time(started + (deadline - started) / 2, stop);
-  std::optional<Error> fault;  // of a plan that failed its certificate: another roadmap may hold a better one
-  std::optional<Pose> nearest;
   if (!interrupt.isDueNow()) state_->cover(growing_time, interrupt, progress);
+  Answer last;
+  bool may_be_proven = proving == Proving::kYes;
+  bool is_second_try = false;
   while (!interrupt.isDueNow()) {
     const Snapshot now = state_->current();
     if (!now.roadmap) break;
-    if (const auto refused = refusal(*now.planning->checker, request)) return tl::unexpected(*refused);
-    auto found = answer(*now.planning, *now.roadmap, request, interrupt);
-    if (found.plan) {
-      found.plan->stats.build_ms = state_->build_ms;
-      return std::move(*found.plan);
+    if (auto refused = refusal(*now.planning->checker, request)) return tl::unexpected(*std::move(refused));
+    last = answer(*now.planning, *now.roadmap, request, interrupt);
+    if (last.plan) {
+      last.plan->stats.build_ms = state_->build_ms;
+      return *std::move(last.plan);
     }
-    if (found.fault) fault = found.fault;
-    if (found.nearest) nearest = found.nearest;
+    if (may_be_proven && !last.fault) {
+      Interrupt a_third(Clock::now() + (deadline - Clock::now()) / 3, stop);
+      if (auto no = provenImpossible(*now.planning->checker, request, state_->settings, a_third, interrupt))
+        return tl::unexpected(*std::move(no));
+      // What was given up before its time is up cannot be proven; else there is one more try, later.
+      may_be_proven = a_third.isDueNow() && !std::exchange(is_second_try, true);
+    }
     state_->growBeyond(*now.roadmap, interrupt);
   }
   if (interrupt.isStopped())
     return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
-  if (fault) return tl::unexpected(*fault);
-  const auto roadmap = this->roadmap();
-  return fail(
-      ErrorCode::kTimeout,
-      fmt::format("no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more "
-                  "time, or look at the places with `underway query`",
-                  std::chrono::duration<double>(Clock::now() - started).count(),
-                  roadmap ? roadmap->batches : 0U,
-                  nearest ? fmt::format("; the nearest that was reached is ({:.2f} m, {:.2f} m, {:.2f} rad)",
-                                        nearest->x, nearest->y, nearest->yaw)
-                          : ""));
+  if (last.fault) return tl::unexpected(*last.fault);
+  return fail(ErrorCode::kTimeout, timeoutMessage(Clock::now() - started, roadmap().get(), last.nearest));
 }
 
 }  // namespace underway

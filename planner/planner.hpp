@@ -33,12 +33,16 @@ class Planner {
   /// has grown.
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
-  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kTimeout,
-  /// kCancelled, kInvalidRequest. If there is no roadmap yet it grows one first, for half of the time at most
-  /// (and tells `progress`). If the roadmap does not hold a plan, it grows batch by batch until it does or
-  /// the deadline passes.
+  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kNoPathExists with
+  /// what is to blame, kTimeout with the nearest pose that was reached, kCancelled, kInvalidRequest. If there is
+  /// no roadmap yet it grows one first, for half of the time at most (and tells `progress`). If the roadmap does
+  /// not hold a plan, it tries to prove that there is none, and grows batch by batch until there is one or the
+  /// deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
+  /// The same without trying to prove anything.
+  [[nodiscard]] Expected<Plan> findPlan(const Request& request, Clock::time_point deadline,
+                                        const std::stop_token& stop = {}, const Progress& progress = {});
 
   /// Moves on to another revision of the world. The roadmap keeps its places and links; those that the changes
   /// may touch are looked at again. Queries that have begun end in the world they began in.
@@ -50,6 +54,10 @@ class Planner {
   [[nodiscard]] std::shared_ptr<const Checker> checker() const;
 
  private:
+  enum class Proving { kNo, kYes };
+  [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
+                                    const std::stop_token& stop, const Progress& progress, Proving proving);
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -30,15 +30,15 @@ Region between(Point a, Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
-double reachOf(const BodyBox& body) {
+double reachOfBody(const BodyBox& body) {
   return std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max));
 }
 
 /// No part of the robot, in any mode or switch, is further from its frame's origin [m].
-double reachOf(const Robot& robot) {
+double reachOfRobot(const Robot& robot) {
   double reach = 0.0;
-  for (const Mode& mode : robot.modes) reach = std::max(reach, reachOf(mode.body_m));
-  for (const Switch& change : robot.switches) reach = std::max(reach, reachOf(change.body_m));
+  for (const Mode& mode : robot.modes) reach = std::max(reach, reachOfBody(mode.body_m));
+  for (const Switch& change : robot.switches) reach = std::max(reach, reachOfBody(change.body_m));
   return reach + 2.0 * robot.margin_m + 1e-6;
 }
 
@@ -121,7 +121,7 @@ bool isFirstOfTwo(const Roadmap& roadmap, LinkId id) {
 
 LinkIndex::LinkIndex(const Roadmap& roadmap, const Robot& robot)
     : places_(static_cast<std::uint32_t>(roadmap.places.size())) {
-  const double reach = reachOf(robot);
+  const double reach = reachOfRobot(robot);
   Region all{0.0, 0.0, 0.0, 0.0};
   const auto add = [&](const Region& region) {
     boxes_.push_back(grown(region, reach));
