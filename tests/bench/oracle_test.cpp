@@ -42,6 +42,7 @@ OracleSettings quick() {
   OracleSettings settings;
   settings.cell_m = 0.05;
   settings.headings = 32;
+  settings.refine.rounds = 30;
   return settings;
 }
 
@@ -139,7 +140,9 @@ TEST_F(OracleInScenario3, ComesOutFromUnderTheTable) {
 }
 
 TEST_F(OracleInScenario3, AnswersManyGoalsAsItAnswersEach) {
-  Oracle dut(checker_, quick());
+  OracleSettings settings = quick();
+  settings.refine.rounds = 4;
+  Oracle dut(checker_, settings);
   const Request one = from({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}, Policy::kFastest);
   const Request other = from({0.6, 2.0, 0.0}, {2.7, 0.8, 0.0}, Policy::kFastest);
   const auto both = dut.routes({one, other});
