@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kStep_m = 0.01;
 constexpr double kStep_rad = 2.0 * std::numbers::pi / 180.0;
-constexpr double kModeWeight = 0.5;  // a mode away counts like half a metre when neighbours are looked for
+constexpr double kModeWeight =
+    0.05;  // [m] a mode away; more, and dense roadmaps have no neighbours in other modes
 
 /// OMPL refuses a space without extent, which a robot of one mode has.
 class ModeSpace : public ob::DiscreteStateSpace {
