@@ -69,7 +69,10 @@ std::vector<Route> Oracle::routes(const std::vector<Request>& requests, const Pr
   const double margin_m = checker_.robot().margin_m;
   Lattice& searched = lattice(policy, margin_m);
   const Keep at_start(checker_, requests.front(), margin_m);
-  const Flood flood(searched, waysFromStart(searched, at_start, requests.front()), progress);
+  // One goal ends the search when it is reached; many would each have to be watched for.
+  const auto goals =
+      requests.size() == 1 ? waysToGoal(searched, at_start, requests.front()) : std::vector<Spur>();
+  const Flood flood(searched, waysFromStart(searched, at_start, requests.front()), progress, goals);
   for (const Request& request : requests) {
     const Keep keep(checker_, request, margin_m);
     routes.push_back(better(request, onLattice(searched, flood, keep, request), margin_m));

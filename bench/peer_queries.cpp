@@ -1,10 +1,12 @@
 #include "bench/peer_queries.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
 
 #include "bench/number_table.hpp"
+#include "bench/oracle.hpp"
 #include "geometry/map.hpp"
 #include "planner/planner.hpp"
 
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kPrepare{10};  // at most
 constexpr std::chrono::seconds kQuery{1};     // what the peers had
+constexpr std::size_t kOracleQueries = 20;    // of each building, that the oracle answers too
 
 struct Building {
   const char* name;
@@ -54,6 +57,10 @@ Expected<Robot> peersRobot() {
   return checkedRobot({"peers_body", 0.0, {walk}, {}});
 }
 
+Request requestOf(const PeerQuery& query) {
+  return {query.start, 0, query.goal.position(), query.goal.yaw, 0, Policy::kFastest};
+}
+
 /// What was measured on one building.
 struct Measured {
   double prepare_ms = 0.0;
@@ -63,6 +70,12 @@ struct Measured {
   std::vector<double> query_us;  // as the plan tells it
   std::vector<double> to_sbpl;   // cost over SBPL's
   std::vector<double> to_best;   // cost over the best peer's
+};
+
+/// What the best plans would cost, over SBPL's, and ours over theirs: how much there is to gain.
+struct Best {
+  std::vector<double> to_sbpl;
+  std::vector<double> own_to_oracle;
 };
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
@@ -76,7 +89,7 @@ Measured measured(const World& world, const std::vector<PeerQuery>& queries, con
   planner.prepare(started + kPrepare);
   result.prepare_ms = Milliseconds(Planner::Clock::now() - started).count();
   for (const PeerQuery& query : queries) {
-    Request request{query.start, 0, query.goal.position(), query.goal.yaw, 0, Policy::kFastest};
+    const Request request = requestOf(query);
     const auto asked = Planner::Clock::now();
     const auto plan = planner.plan(request, asked + kQuery);
     const double took_us = Microseconds(Planner::Clock::now() - asked).count();
@@ -89,6 +102,39 @@ Measured measured(const World& world, const std::vector<PeerQuery>& queries, con
     result.to_best.push_back(plan->total_time_s / query.best_s);
   }
   return result;
+}
+
+Best bestOf(const World& world, const std::vector<PeerQuery>& queries, const Robot& robot,
+            const std::function<void(double)>& progress) {
+  Best best;
+  Planner planner(std::make_shared<const World>(world), std::make_shared<const Robot>(robot));
+  Oracle oracle(*planner.checker(), buildingOracle());
+  const std::size_t asked = std::min(kOracleQueries, queries.size());
+  for (std::size_t i = 0; i < asked; ++i) {
+    const Request request = requestOf(queries[i]);
+    const Route route = oracle.route(request);
+    progress(static_cast<double>(i + 1) / static_cast<double>(asked));
+    if (route.empty()) continue;
+    double time_s = 0.0;
+    for (const Motion& motion : route) time_s += duration(robot, motion);
+    best.to_sbpl.push_back(time_s / queries[i].sbpl_s);
+    const auto plan = planner.plan(request, Planner::Clock::now() + kPrepare);
+    if (plan) best.own_to_oracle.push_back(plan->total_time_s / time_s);
+  }
+  return best;
+}
+
+void addRows(const std::string& name, const Best& best, Report& report) {
+  if (best.to_sbpl.empty() || best.own_to_oracle.empty()) return;
+  const auto add = [&](const char* what, double value) {
+    report.rows.push_back(
+        {name + ": " + what, value, "", "", {}, GrowthSettings{}.seed, best.to_sbpl.size(), {}, {}});
+  };
+  add("the oracle's cost over SBPL's best in 1 s, p50", quantile(best.to_sbpl, 0.5));
+  add("the oracle's cost over SBPL's best in 1 s, p95", quantile(best.to_sbpl, 0.95));
+  add("cost over the oracle's, p50", quantile(best.own_to_oracle, 0.5));
+  add("cost over the oracle's, p95", quantile(best.own_to_oracle, 0.95));
+  add("cost over the oracle's, least", quantile(best.own_to_oracle, 0.0));
 }
 
 void addRows(const std::string& name, const Measured& m, Report& report) {
@@ -133,6 +179,7 @@ Expected<Report> peerQueries(const PeerOptions& options, const std::function<voi
     if (!map) return tl::unexpected(map.error());
     const auto share = [&](double done) { progress((static_cast<double>(i) + done) / kBuildings.size()); };
     addRows(kBuildings[i].name, measured(map->world, *queries, *robot, share), report);
+    if (!options.quick) addRows(kBuildings[i].name, bestOf(map->world, *queries, *robot, share), report);
   }
   return report;
 }

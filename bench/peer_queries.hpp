@@ -18,8 +18,9 @@ struct PeerOptions {
 
 /// Queries on two real buildings that other planners have answered: how long the roadmap takes, how many are
 /// solved, how long a warm query takes, and what the plans cost against SBPL's best in one second and against
-/// the best of all peers. One mode that walks at .1 m/s to all four sides and turns at .5 rad/s, no margin;
-/// the cost is the time. Errors: kInvalidMap, with the file.
+/// the best of all peers; and, if not quick, how much better a plan could be (the oracle). One mode that
+/// walks at .1 m/s to all four sides and turns at .5 rad/s, no margin; the cost is the time. Errors:
+/// kInvalidMap, with the file.
 [[nodiscard]] Expected<Report> peerQueries(const PeerOptions& options,
                                            const std::function<void(double)>& progress);
 

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/report.hpp"
-
 namespace underway::bench {
 namespace {
 
@@ -54,7 +52,9 @@ class Plot {
       const double time_s = kFirst_s * std::pow(limit_s_ / kFirst_s, static_cast<double>(i) / kSteps);
       const auto v = value(name, time_s);
       if (!v) continue;
+      const double before_y = end_y;
       end_y = y(*v);
+      if (!path.empty()) path += fmt::format("L{:.1f} {:.1f}", x(time_s), before_y);  // in steps
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x(time_s), end_y);
     }
     const double width = name == kOwnName ? 3.0 : 1.8;
@@ -164,15 +164,14 @@ std::string plotCost(const std::vector<Race>& races, double limit_s) {
                   {1.0, 1.1, 1.25, 1.5, 1.75, 2.0},
                   false};
   return plotted(races, axis, limit_s, [&](const std::string& planner, double time_s) {
-    std::vector<double> costs;
-    std::size_t all = 0;
+    std::vector<std::optional<double>> costs;  // a run without a plan costs infinitely much
     for (const Race& race : races)
       for (const Run& run : race.runs.at(planner)) {
-        ++all;
-        if (const auto cost = costAt(run, time_s)) costs.push_back(*cost / race.oracle_s);
+        const auto cost = costAt(run, time_s);
+        costs.push_back(cost ? std::optional(*cost / race.oracle_s) : std::nullopt);
       }
-    return 2 * costs.size() < all || costs.empty() ? std::optional<double>()
-                                                   : std::optional(quantile(costs, 0.5));
+    const double median = quantileOf(costs, 0.5);
+    return std::isfinite(median) ? std::optional(median) : std::nullopt;
   });
 }
 

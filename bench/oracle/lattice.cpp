@@ -50,6 +50,7 @@ void Lattice::placeGait(GaitId gait) {
 std::uint64_t Lattice::freeHeadings(GaitId gait, Cell cell) const {
   const Point here = at(cell);
   std::vector<Motion> standing;
+  standing.reserve(headings_.size());
   for (int k = 0; k < settings_.headings; ++k)
     standing.push_back(stay(*gaits_.all[gait].turning, {here.x, here.y, yawOf(k)}));
   const std::vector<char> free = checker_->areFree(standing, settings_.margin_m);

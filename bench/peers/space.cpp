@@ -9,7 +9,18 @@ namespace {
 
 constexpr double kStep_m = 0.01;
 constexpr double kStep_rad = 2.0 * std::numbers::pi / 180.0;
-constexpr double kModeWeight = 0.5;  // a mode away counts like half a metre when neighbours are looked for
+constexpr double kModeWeight =
+    0.05;  // [m] a mode away; more, and dense roadmaps have no neighbours in other modes
+
+/// OMPL refuses a space without extent, which a robot of one mode has.
+class ModeSpace : public ob::DiscreteStateSpace {
+ public:
+  explicit ModeSpace(const Robot& robot)
+      : ob::DiscreteStateSpace(0, static_cast<int>(robot.modes.size()) - 1) {}
+  [[nodiscard]] double getMaximumExtent() const override {
+    return std::max(1.0, ob::DiscreteStateSpace::getMaximumExtent());
+  }
+};
 
 }  // namespace
 
@@ -43,7 +54,7 @@ ob::StateSpacePtr makeSpace(const World& world, const Robot& robot) {
   const auto& plane = se2->getSubspace(0);
   plane->setLongestValidSegmentFraction(kStep_m / plane->getMaximumExtent());
   se2->getSubspace(1)->setLongestValidSegmentFraction(kStep_rad / se2->getSubspace(1)->getMaximumExtent());
-  const auto modes = std::make_shared<ob::DiscreteStateSpace>(0, static_cast<int>(robot.modes.size()) - 1);
+  const auto modes = std::make_shared<ModeSpace>(robot);
   const auto both = std::make_shared<ob::CompoundStateSpace>();
   both->addSubspace(se2, 1.0);
   both->addSubspace(modes, kModeWeight);

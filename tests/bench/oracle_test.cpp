@@ -42,6 +42,7 @@ OracleSettings quick() {
   OracleSettings settings;
   settings.cell_m = 0.05;
   settings.headings = 32;
+  settings.refine.rounds = 30;
   return settings;
 }
 
@@ -121,7 +122,9 @@ class OracleInScenario3 : public testing::Test {
 
 TEST_F(OracleInScenario3, CrawlsNoFurtherThanItMust) {
   // The map says why: lying down ends at x = 3.32 at best, standing up begins at 4.62.
-  Oracle dut(checker_, quick());
+  OracleSettings settings = quick();
+  settings.cell_m = 0.1;
+  Oracle dut(checker_, settings);
   const Request request = from({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}, Policy::kPriority);
   const Route route = dut.route(request);
   expectCertified(checker_, request, route);
@@ -139,7 +142,10 @@ TEST_F(OracleInScenario3, ComesOutFromUnderTheTable) {
 }
 
 TEST_F(OracleInScenario3, AnswersManyGoalsAsItAnswersEach) {
-  Oracle dut(checker_, quick());
+  OracleSettings settings = quick();
+  settings.cell_m = 0.1;
+  settings.refine.rounds = 4;
+  Oracle dut(checker_, settings);
   const Request one = from({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}, Policy::kFastest);
   const Request other = from({0.6, 2.0, 0.0}, {2.7, 0.8, 0.0}, Policy::kFastest);
   const auto both = dut.routes({one, other});
@@ -147,6 +153,37 @@ TEST_F(OracleInScenario3, AnswersManyGoalsAsItAnswersEach) {
   EXPECT_EQ(both.back(), dut.route(other));
   expectCertified(checker_, one, both.front());
   expectCertified(checker_, other, both.back());
+}
+
+TEST_F(OracleInScenario3, KnowsRobotsWhoseLowModeTurns) {
+  const auto robot = std::make_shared<Robot>(*readRobot(kData / "robots" / "nao_obb_paper.yaml"));
+  const Checker checker(std::make_shared<World>(map_.world), robot);
+  OracleSettings settings = quick();
+  settings.cell_m = 0.1;
+  Oracle dut(checker, settings);
+  const Request request = from({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}, Policy::kPriority);
+  const Route route = dut.route(request);
+  expectCertified(checker, request, route);
+  // Both boxes have the same middle: it crawls the table's depth, a box's length and the margins.
+  EXPECT_GE(metresIn(2, route), 1.04 - 1e-3);
+  EXPECT_LE(metresIn(2, route), 1.04 * 1.01);
+}
+
+TEST(Oracle, StoopsUnderABeam) {
+  const auto robot = std::make_shared<Robot>(*readRobot(kData / "robots" / "tall_biped.yaml"));
+  const Obstacle beam{"beam", OrientedBox{{3.0, 1.5, 1.1}, {0.2, 3.0, 0.3}, {}}};
+  const auto world = *World::make("beam", {{0.0, 0.0, 0.0}, 6.0, 3.0}, 0.0, {beam});
+  const Checker checker(std::make_shared<World>(world), robot);
+  OracleSettings settings = quick();
+  settings.cell_m = 0.1;
+  Oracle dut(checker, settings);
+  const Request request = from({1.0, 1.5, 0.0}, {5.0, 1.5, 0.0}, Policy::kPriority);
+  const Route route = dut.route(request);
+  expectCertified(checker, request, route);
+  // It stoops and rises beside the beam, .30 m and the margin of .04 from it, and turns in between: turns
+  // cost no metres.
+  EXPECT_GE(metresIn(1, route), 0.88 - 1e-3);
+  EXPECT_LE(metresIn(1, route), 0.88 * 1.03);
 }
 
 TEST(OracleHeadings, AreNearlyUniformAndTurnIntoEachOtherByRightAngles) {
