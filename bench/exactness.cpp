@@ -1,3 +1,4 @@
+#include "bench/peers/fcl_tree.hpp"
 #include "bench/exactness.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include "bench/random_geometry.hpp"
 #include "bench/reference.hpp"
 #include "geometry/checker.hpp"
-#include "geometry/fcl_scene.hpp"
 #include "geometry/layer.hpp"
 
 namespace underway::bench {
@@ -80,10 +80,10 @@ Exactness pairsOfRound(std::uint64_t seed) {
   const Obstacles table(all, no_twin);
   const Layer dut = Layer::seenIn(slab, table);
   std::vector<std::vector<Point>> shadows;
-  std::vector<FclScene> scenes;
+  std::vector<FclTree> scenes;
   for (const Obstacle& obstacle : obstacles) {
     shadows.push_back(reference::shadow(obstacle.box, slab));
-    scenes.emplace_back(std::make_shared<const Obstacles>(std::vector{obstacle}, no_twin));
+    scenes.emplace_back(Obstacles(std::vector{obstacle}, no_twin));
   }
   Exactness tally;
   for (std::size_t k = 0; k < kBodies; ++k) {
@@ -126,7 +126,7 @@ class MotionRound {
             "random", {{about_.x - kBound_m / 4, about_.y - kBound_m / 4, 0.0}, kBound_m / 2, kBound_m / 2},
             0.0, random_.obstacles(about_, kObstacles)))),
         dut_(world_, robot_),
-        fcl_(std::shared_ptr<const Obstacles>(world_, &world_->obstacles())) {}
+        fcl_(world_->obstacles()) {}
 
   Exactness compare() {
     Exactness tally;
@@ -239,7 +239,7 @@ class MotionRound {
   Point about_;
   std::shared_ptr<const World> world_;
   Checker dut_;
-  FclScene fcl_;
+  FclTree fcl_;
   std::map<std::tuple<std::string, double, double>, std::optional<std::vector<Point>>> shadows_;
 };
 

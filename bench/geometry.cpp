@@ -1,3 +1,4 @@
+#include "bench/peers/fcl_tree.hpp"
 #include "bench/geometry.hpp"
 
 #include <cmath>
@@ -8,7 +9,6 @@
 #include "bench/random_geometry.hpp"
 #include "bench/stopwatch.hpp"
 #include "geometry/checker.hpp"
-#include "geometry/fcl_scene.hpp"
 #include "geometry/judge.hpp"
 #include "geometry/layer.hpp"
 
@@ -51,7 +51,7 @@ struct Upright {
         prism(sweptBox(*robot, stay(0, {}), world.floorZ())),
         fcl(prism.x, prism.y, prism.z),
         layer(Layer::seenIn(prism.z, world.obstacles())),
-        scene(std::make_shared<const Obstacles>(world.obstacles())) {
+        scene(world.obstacles()) {
     fcl.place({});
     keep(scene.touches(fcl) ? 1 : 0);  // makes the tree
   }
@@ -69,7 +69,7 @@ struct Upright {
   Prism prism;
   FclBody fcl;
   Layer layer;
-  FclScene scene;
+  FclTree scene;
 };
 
 template <class Item, class Test>

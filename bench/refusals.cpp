@@ -58,7 +58,7 @@ void judgeBlame(const Checker& checker, const proof::Proof& proven, const Room& 
   const auto start = Clock::now();
   Interrupt interrupt(start + seconds(10), {});
   const proof::Blame told = proof::blame(
-      checker, proof,
+      checker, proven,
       [&](const std::shared_ptr<const World>& world) {
         return isSolvable(world, room.request, robot, seconds(1));
       },

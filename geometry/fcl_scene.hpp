@@ -1,30 +1,37 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "geometry/obstacles.hpp"
+#include "geometry/region_grid.hpp"
 #include "geometry/sweep.hpp"
 
 namespace underway {
 
-/// A box as FCL's own, made once and placed anywhere.
-class FclBody {
+/// Some of a world's source shapes as FCL's own, to be asked for booleans only: FCL's distances can overestimate.
+/// For one thread.
+class FclShapes {
  public:
-  /// Ranges in the body frame, heights above the map frame's origin [m].
-  FclBody(Range x, Range y, Range z);
-  ~FclBody();
-  FclBody(FclBody&&) noexcept;
-  void place(const Pose& frame);
+  explicit FclShapes(std::vector<Obstacles::Pointer> obstacles);
+  ~FclShapes();
+  FclShapes(FclShapes&&) noexcept;
+
+  /// Whether a box touches any of them. It is taken a hair higher and lower than it says: one that ends flush
+  /// with an obstacle counts as touching, as it does in the layers, however FCL rounds.
+  [[nodiscard]] bool touches(const Prism& box) const;
+  /// Whether an upright cylinder touches any of them.
+  [[nodiscard]] bool touches(Point center, double radius_m, Range z) const;
 
  private:
-  friend class FclScene;
-  struct Object;
-  std::unique_ptr<Object> object_;
+  struct Shapes;
+  std::unique_ptr<const Shapes> shapes_;
 };
 
-/// The world's source shapes in FCL's dynamic tree, made when it is first asked. Asked for booleans only: its
-/// distances can overestimate. After a change the tree stays as it was: what is gone is passed over, what
-/// came is in a second tree, until that is so much that a new tree is due.
+/// The world's source shapes, to pick some for FCL. Which may matter somewhere is told by a plain grid over their
+/// bounding boxes, made when it is first asked: nothing here is shared with the layers. After a change the grid
+/// stays as it was, and what is gone and what came is kept beside it, until that is so much that a new one is due.
 ///
 /// Thread safety: const members may be called from any number of threads.
 class FclScene {
@@ -32,16 +39,13 @@ class FclScene {
   explicit FclScene(std::shared_ptr<const Obstacles> obstacles);
   [[nodiscard]] FclScene changed(std::shared_ptr<const Obstacles> after) const;
 
-  [[nodiscard]] bool touches(const FclBody& body) const;
-  /// Whether a box touches any obstacle.
-  [[nodiscard]] bool touches(const Prism& box) const;
-  /// Whether an upright cylinder touches any obstacle.
-  [[nodiscard]] bool touches(Point center, double radius_m, Range z) const;
+  /// All obstacles whose bounding boxes overlap a region.
+  [[nodiscard]] FclShapes shapesIn(const Region& region) const;
 
  private:
-  class Forest;
-  explicit FclScene(std::shared_ptr<const Forest> forest);
-  std::shared_ptr<const Forest> forest_;
+  class Stock;
+  explicit FclScene(std::shared_ptr<const Stock> stock);
+  std::shared_ptr<const Stock> stock_;
 };
 
 }  // namespace underway

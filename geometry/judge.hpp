@@ -20,8 +20,6 @@ class Judge {
   [[nodiscard]] bool isClear(const Motion& motion, double clearance_m) const;
 
  private:
-  [[nodiscard]] bool isClear(const Prism& box, double clearance_m) const;
-
   const World& world_;
   const Robot& robot_;
   const FclScene& scene_;

@@ -56,7 +56,7 @@ class Answerer {
     if (request_.policy == Policy::kPriority) return bestByPriority();
     std::optional<Plan> plan = planBy(planning_.fastest);
     if (!plan) return std::nullopt;
-    takeIfBetter(plan, planBy(planning_.by_priority));
+    if (checker_.robot().modes.size() > 1) takeIfBetter(plan, planBy(planning_.by_priority));
     if (request_.policy == Policy::kSafest) {
       const double clearance = largestClearance();
       if (clearance > checker_.robot().margin_m)

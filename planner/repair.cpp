@@ -13,22 +13,6 @@ namespace {
 
 using LinkId = Roadmap::LinkId;
 using PlaceId = Roadmap::PlaceId;
-using Region = LinkIndex::Region;
-
-constexpr double kEntriesPerCell = 4.0;
-
-Region grown(const Region& region, double by_m) {
-  return {region.min_x - by_m, region.min_y - by_m, region.max_x + by_m, region.max_y + by_m};
-}
-
-Region joint(const Region& a, const Region& b) {
-  return {std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
-          std::max(a.max_y, b.max_y)};
-}
-
-Region between(Point a, Point b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-}
 
 double reachOfBody(const BodyBox& body) {
   return std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max));
@@ -45,7 +29,7 @@ double reachOfRobot(const Robot& robot) {
 Region regionOf(const OrientedBox& box) {
   const auto vertices = corners(box);
   Region region{vertices[0].x, vertices[0].y, vertices[0].x, vertices[0].y};
-  for (const Vec3& vertex : vertices) region = joint(region, {vertex.x, vertex.y, vertex.x, vertex.y});
+  for (const Vec3& vertex : vertices) region = region.joint({vertex.x, vertex.y, vertex.x, vertex.y});
   return region;
 }
 
@@ -53,15 +37,15 @@ Region regionOf(const Roadmap& roadmap, const Roadmap::Link& link, const Robot& 
   double drift = 0.0;
   for (const Mode& mode : robot.modes) drift = std::max(drift, mode.drift_m_per_m);
   if (link.crossing == Roadmap::kNone)
-    return grown(between(roadmap.places[link.from].at, roadmap.places[link.to].at), drift * link.length_m);
+    return Region::between(roadmap.places[link.from].at, roadmap.places[link.to].at).grown(drift * link.length_m);
   const Route& motions = roadmap.crossings[link.crossing].motions;
-  Region region = between(motions[0].from.position(), motions[0].to.position());
+  Region region = Region::between(motions[0].from.position(), motions[0].to.position());
   double way_m = 0.0;
   for (const Motion& motion : motions) {
-    region = joint(region, between(motion.from.position(), motion.to.position()));
+    region = region.joint(Region::between(motion.from.position(), motion.to.position()));
     way_m += length(motion);
   }
-  return grown(region, drift * way_m);
+  return region.grown(drift * way_m);
 }
 
 /// Looks at links and places again, in a copy of a roadmap.
@@ -122,33 +106,15 @@ bool isFirstOfTwo(const Roadmap& roadmap, LinkId id) {
 LinkIndex::LinkIndex(const Roadmap& roadmap, const Robot& robot)
     : places_(static_cast<std::uint32_t>(roadmap.places.size())) {
   const double reach = reachOfRobot(robot);
-  Region all{0.0, 0.0, 0.0, 0.0};
-  const auto add = [&](const Region& region) {
-    boxes_.push_back(grown(region, reach));
-    all = boxes_.size() == 1 ? boxes_.back() : joint(all, boxes_.back());
-  };
-  for (const Roadmap::Place& place : roadmap.places) add(between(place.at, place.at));
-  for (const Roadmap::Link& link : roadmap.links) add(regionOf(roadmap, link, robot));
-  min_x_ = all.min_x;
-  min_y_ = all.min_y;
-  const double width = std::max(all.max_x - all.min_x, 0.1);
-  const double height = std::max(all.max_y - all.min_y, 0.1);
-  const double count = std::max<double>(1.0, static_cast<double>(boxes_.size()));
-  // Never more cells than entries, also where they lie in a row.
-  cell_m_ = std::max({std::sqrt(width * height * kEntriesPerCell / count), std::max(width, height) / count, reach});
-  columns_ = static_cast<std::size_t>(width / cell_m_) + 1;
-  rows_ = static_cast<std::size_t>(height / cell_m_) + 1;
-  first_.assign(columns_ * rows_ + 1, 0);
-  const auto is_entry = [&](std::uint32_t entry) {
-    return entry < places_ || isFirstOfTwo(roadmap, entry - places_);
-  };
-  for (std::uint32_t entry = 0; entry < boxes_.size(); ++entry)
-    if (is_entry(entry)) visitCells(boxes_[entry], [&](std::size_t cell) { ++first_[cell + 1]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  entries_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t entry = 0; entry < boxes_.size(); ++entry)
-    if (is_entry(entry)) visitCells(boxes_[entry], [&](std::size_t cell) { entries_[next[cell]++] = entry; });
+  std::vector<Region> regions;
+  for (const Roadmap::Place& place : roadmap.places)
+    regions.push_back(Region::between(place.at, place.at).grown(reach));
+  for (LinkId id = 0; id < roadmap.links.size(); ++id) {
+    if (!isFirstOfTwo(roadmap, id)) continue;
+    links_.push_back(id);
+    regions.push_back(regionOf(roadmap, roadmap.links[id], robot).grown(reach));
+  }
+  covered_ = RegionGrid(std::move(regions));
 }
 
 std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& index, const Stances& stances,

@@ -34,7 +34,7 @@ class Shortening {
     // Only so many stations are left out at a time, so again until none is.
     while (improve(corridorAlong(0.0), interrupt)) continue;
     for (const double step_m : kSteps_m) {
-      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m), interrupt); ++i) continue;
+      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m, i == 0), interrupt); ++i) continue;
       improve(corridorAlong(0.0), interrupt);
     }
     return std::move(passage_);
@@ -62,12 +62,15 @@ class Shortening {
 
   // --- from a passage to the corridor round it ------------------------------------------------------------
 
-  Corridor corridorAlong(double step_m) {
+  /// `by_any_way`: other modes and senses may be tried on the legs; else they stay as they are.
+  Corridor corridorAlong(double step_m, bool by_any_way = true) {
     Corridor corridor;
     for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
       const Passage::Step& step = passage_.steps[i];
       const bool is_coarse = step_m >= kCoarse_m;
-      if (i > 0 && step.way && is_coarse) addBetween(i, step_m, corridor);
+      const bool keeps_way = step_m > 0.0 && step.way && !(is_coarse && by_any_way);
+      const std::uint32_t ways_to = keeps_way ? 1U << *step.way : ~0U;
+      if (i > 0 && step.way && is_coarse) addBetween(i, step_m, ways_to, corridor);
       const bool is_end = i == 0 || i + 1 == passage_.steps.size();
       Station station{{step.option},
                       step.option.is_stop && step_m == 0.0,
@@ -75,7 +78,7 @@ class Shortening {
                       : is_coarse   ? 2U
                                     : 1U,
                       &stances_.ofMode(step.leaving.mode)};
-      if (step_m > 0.0 && !is_coarse && step.way) station.ways_to = 1U << *step.way;
+      station.ways_to = ways_to;
       if (step_m > 0.0 && step.option.is_stop) addStopsRound(step.option, step_m, station);
       if (step_m > 0.0 && !is_end && !step.option.is_stop) addCrossingsBeside(i, step_m, station);
       corridor.push_back(std::move(station));
@@ -109,13 +112,13 @@ class Shortening {
   }
 
   /// Stops between two: near either, to cut its corner, and where a leg needs no turn at its other end.
-  void addBetween(std::size_t i, double step_m, Corridor& corridor) {
+  void addBetween(std::size_t i, double step_m, std::uint32_t ways_to, Corridor& corridor) {
     const Passage::Step& a = passage_.steps[i - 1];
     const Passage::Step& b = passage_.steps[i];
     const Point from = a.option.out.position();
     const Point to = b.option.in.position();
     const double way_m = distance(from, to);
-    Station station{{}, true, 2, b.legs};
+    Station station{{}, true, 2, b.legs, ways_to};
     const auto add = [&](Point at) {
       if (distance(from, at) > 1e-6 && distance(at, to) > 1e-6)
         station.options.push_back(Option::stop(at, robot_.margin_m));

@@ -35,7 +35,10 @@ TEST(FclScene, AnswersAfterChangesAsOneMadeAnew) {
     const FclScene fresh(obstaclesOf(world));
     for (int k = 0; k < 100; ++k) {
       const Prism body{random.pose(), {-0.2, 0.2}, {-0.2, 0.2}, {0.0, 0.5}};
-      ASSERT_EQ(dut.touches(body), fresh.touches(body)) << "step " << step;
+      const auto footprint = body.footprint();
+      Region region = Region::between(footprint[0], footprint[2]);
+      region = region.joint(Region::between(footprint[1], footprint[3]));
+      ASSERT_EQ(dut.shapesIn(region).touches(body), fresh.shapesIn(region).touches(body)) << "step " << step;
     }
   }
 }
