@@ -21,8 +21,8 @@ class FclShapes {
   /// Whether a box touches any of them. It is taken a hair higher and lower than it says: one that ends flush
   /// with an obstacle counts as touching, as it does in the layers, however FCL rounds.
   [[nodiscard]] bool touches(const Prism& box) const;
-  /// Whether an upright cylinder touches any of them.
-  [[nodiscard]] bool touches(Point center, double radius_m, Range z) const;
+  /// Whether any of them comes within a distance of a box in the plane, Euclidean.
+  [[nodiscard]] bool comeWithin(const Prism& box, double distance_m) const;
 
  private:
   struct Shapes;

@@ -8,18 +8,6 @@ namespace {
 constexpr double kSlack_m = 1e-6;      // a claim may equal the truth: ask for this much less
 constexpr double kTurnSlack_m = 1e-4;  // how finely a turn is judged
 
-bool isClearOf(const FclShapes& shapes, const Prism& box, double clearance_m) {
-  // All points within the clearance of a box: the box grown along either axis, and a cylinder round each
-  // edge.
-  if (clearance_m <= 0.0) return !shapes.touches(box);
-  const Prism along_x{box.frame, box.x.grown(clearance_m), box.y, box.z};
-  const Prism along_y{box.frame, box.x, box.y.grown(clearance_m), box.z};
-  if (shapes.touches(along_x) || shapes.touches(along_y)) return false;
-  const auto footprint = box.footprint();
-  return std::none_of(footprint.begin(), footprint.end(),
-                      [&](Point corner) { return shapes.touches(corner, clearance_m, box.z); });
-}
-
 /// What a motion may come near, by a clearance.
 Region regionOf(const Prism& box, double clearance_m) {
   const auto footprint = box.footprint();
@@ -32,7 +20,7 @@ Region regionOf(const Prism& box, double clearance_m) {
 bool Judge::isClear(const Motion& motion, double clearance_m) const {
   Prism body = sweptBox(robot_, motion, world_.floorZ());
   if (motion.kind != MotionKind::kTurn || motion.angle_rad == 0.0)
-    return isClearOf(scene_.shapesIn(regionOf(body, clearance_m)), body, clearance_m - kSlack_m);
+    return !scene_.shapesIn(regionOf(body, clearance_m)).comeWithin(body, clearance_m - kSlack_m);
   // Conservative advancement by halves: what the body reaches within half an interval is the body at its
   // middle, grown by reach times half the angle.
   const double reach = reachOf(robot_.modes[motion.mode].body_m);
@@ -43,7 +31,7 @@ bool Judge::isClear(const Motion& motion, double clearance_m) const {
   const auto is_clear = [&](const auto& self, double middle, double half) -> bool {
     body.frame.yaw = motion.from.yaw + middle;
     const double moved = reach * half;
-    if (isClearOf(shapes, body, clearance_m - kTurnSlack_m + moved)) return true;
+    if (!shapes.comeWithin(body, clearance_m - kTurnSlack_m + moved)) return true;
     if (2.0 * moved <= kTurnSlack_m) return false;
     return self(self, middle - 0.5 * half, 0.5 * half) && self(self, middle + 0.5 * half, 0.5 * half);
   };

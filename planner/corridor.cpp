@@ -175,7 +175,8 @@ class Passing {
       const Legs* legs = state.parent == kNone ? nullptr : corridor_[states_[state.parent].station].legs_on;
       passage.steps.push_back({corridor_[state.station].options[state.option], legs,
                                state.way == kNone ? std::nullopt : std::optional<std::size_t>(state.way),
-                               state.arriving, state.leaving});
+                               state.arriving, state.leaving,
+                               state.option != 0 || corridor_[state.station].is_new});
     }
     std::reverse(passage.steps.begin(), passage.steps.end());
     return passage;

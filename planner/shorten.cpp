@@ -34,7 +34,7 @@ class Shortening {
     // Only so many stations are left out at a time, so again until none is.
     while (improve(corridorAlong(0.0), interrupt)) continue;
     for (const double step_m : kSteps_m) {
-      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m, i == 0), interrupt); ++i) continue;
+      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m, i > 0), interrupt); ++i) continue;
       improve(corridorAlong(0.0), interrupt);
     }
     return std::move(passage_);
@@ -62,15 +62,17 @@ class Shortening {
 
   // --- from a passage to the corridor round it ------------------------------------------------------------
 
-  /// `by_any_way`: other modes and senses may be tried on the legs; else they stay as they are.
-  Corridor corridorAlong(double step_m, bool by_any_way = true) {
+  /// `is_repeat`: legs keep their modes and senses, and only what moved last time, or has a neighbour that did,
+  /// is moved again.
+  Corridor corridorAlong(double step_m, bool is_repeat = false) {
     Corridor corridor;
     for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
       const Passage::Step& step = passage_.steps[i];
       const bool is_coarse = step_m >= kCoarse_m;
-      const bool keeps_way = step_m > 0.0 && step.way && !(is_coarse && by_any_way);
+      const bool keeps_way = step_m > 0.0 && step.way && !(is_coarse && !is_repeat);
       const std::uint32_t ways_to = keeps_way ? 1U << *step.way : ~0U;
-      if (i > 0 && step.way && is_coarse) addBetween(i, step_m, ways_to, corridor);
+      const bool is_settled = is_repeat && !isNewNear(i);
+      if (i > 0 && step.way && is_coarse && !(is_settled && !isNewNear(i - 1))) addBetween(i, step_m, ways_to, corridor);
       const bool is_end = i == 0 || i + 1 == passage_.steps.size();
       Station station{{step.option},
                       step.option.is_stop && step_m == 0.0,
@@ -79,11 +81,16 @@ class Shortening {
                                     : 1U,
                       &stances_.ofMode(step.leaving.mode)};
       station.ways_to = ways_to;
-      if (step_m > 0.0 && step.option.is_stop) addStopsRound(step.option, step_m, station);
-      if (step_m > 0.0 && !is_end && !step.option.is_stop) addCrossingsBeside(i, step_m, station);
+      if (step_m > 0.0 && step.option.is_stop && !is_settled) addStopsRound(step.option, step_m, station);
+      if (step_m > 0.0 && !is_end && !step.option.is_stop && !is_settled) addCrossingsBeside(i, step_m, station);
       corridor.push_back(std::move(station));
     }
     return corridor;
+  }
+
+  [[nodiscard]] bool isNewNear(std::size_t i) const {
+    const auto is_new = [&](std::size_t k) { return k < passage_.steps.size() && passage_.steps[k].is_new; };
+    return is_new(i) || is_new(i + 1) || (i > 0 && is_new(i - 1));
   }
 
   void addStopsRound(const Option& stop, double step_m, Station& station) const {
@@ -118,7 +125,7 @@ class Shortening {
     const Point from = a.option.out.position();
     const Point to = b.option.in.position();
     const double way_m = distance(from, to);
-    Station station{{}, true, 2, b.legs, ways_to};
+    Station station{{}, true, 2, b.legs, ways_to, true};
     const auto add = [&](Point at) {
       if (distance(from, at) > 1e-6 && distance(at, to) > 1e-6)
         station.options.push_back(Option::stop(at, robot_.margin_m));
