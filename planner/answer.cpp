@@ -171,10 +171,11 @@ Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& r
     plan->stats = {
         roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
     const auto planned = Interrupt::Clock::now();
-    const std::vector<Flaw> flaws = certify(*plan, request, *planning.checker);
+    const auto flaws = certify(*plan, request, *planning.checker, interrupt);
+    if (!flaws) break;
     plan->stats.certify_us = microsecondsSince(planned);
-    if (flaws.empty()) return {std::move(plan), std::nullopt, std::nullopt};
-    result.fault = faultOf(flaws.front());
+    if (flaws->empty()) return {std::move(plan), std::nullopt, std::nullopt};
+    result.fault = faultOf(flaws->front());
   }
   return result;
 }

@@ -52,7 +52,7 @@ class Attachment {
       leaveTightPlace(*end);
       followLine(*end);
       changeMode(*end);
-      if (effort == Effort::kLocalRoadmap) addLocalRoadmap(*end);
+      if (effort == Effort::kLocalRoadmap) addLocalRoadmap(*end, interrupt);
       if (interrupt.isDueNow()) return std::nullopt;
     }
     join(start, goal);
@@ -134,11 +134,12 @@ class Attachment {
 
   /// A grid in the end's own frame, joined along its rows and columns at the end's heading, as one parks a
   /// car, and connected to the roadmap all over.
-  void addLocalRoadmap(const End& end) {
+  void addLocalRoadmap(const End& end, Interrupt& interrupt) {
     if (!robot_.modes[end.mode].canTurn()) return;
     constexpr std::size_t kCount = kGrid_m.size();
     std::vector<PlaceId> grid;
     for (const double y : kGrid_m) {
+      if (interrupt.isDueNow()) return;
       for (const double x : kGrid_m) {
         const bool is_end = x == 0.0 && y == 0.0;
         grid.push_back(is_end ? end.place

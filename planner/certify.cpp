@@ -26,9 +26,10 @@ class Certificate {
   Certificate(const Plan& plan, const Request& request, const Checker& checker)
       : plan_(plan), request_(request), checker_(checker), robot_(checker.robot()) {}
 
-  std::vector<Flaw> flaws() {
+  std::optional<std::vector<Flaw>> flaws(Interrupt& interrupt) {
     checkEnds();
     for (at_ = 0; at_ < plan_.segments.size(); ++at_) {
+      if (interrupt.isDueNow()) return std::nullopt;
       checkChain();
       if (!checkMotion()) continue;  // what cannot be done cannot be swept
       checkDuration();
@@ -189,7 +190,13 @@ class Certificate {
 }  // namespace
 
 std::vector<Flaw> certify(const Plan& plan, const Request& request, const Checker& checker) {
-  return Certificate(plan, request, checker).flaws();
+  Interrupt never(Interrupt::Clock::time_point::max(), {});
+  return *certify(plan, request, checker, never);
+}
+
+std::optional<std::vector<Flaw>> certify(const Plan& plan, const Request& request, const Checker& checker,
+                                         Interrupt& interrupt) {
+  return Certificate(plan, request, checker).flaws(interrupt);
 }
 
 }  // namespace underway

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/checker.hpp"
+#include "planner/interrupt.hpp"
 #include "planner/plan.hpp"
 
 namespace underway {
@@ -20,5 +21,8 @@ struct Flaw {
 /// totals, inside the bounds, free on the source shapes, clearances neither above the truth nor more than 1
 /// mm below.
 [[nodiscard]] std::vector<Flaw> certify(const Plan& plan, const Request& request, const Checker& checker);
+/// The same; empty when it was interrupted before all was judged.
+[[nodiscard]] std::optional<std::vector<Flaw>> certify(const Plan& plan, const Request& request,
+                                                       const Checker& checker, Interrupt& interrupt);
 
 }  // namespace underway

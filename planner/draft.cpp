@@ -80,13 +80,14 @@ PlaceId Draft::rootOf(PlaceId place) {
   return place;
 }
 
-Roadmap Draft::freeze(std::span<const underway::Legs> legs) const {
+std::optional<Roadmap> Draft::freeze(std::span<const underway::Legs> legs, Interrupt& interrupt) const {
   Roadmap roadmap;
   roadmap.places = places_;
   roadmap.crossings = crossings_;
   roadmap.links.reserve(links_.size());
   std::vector<LinkId> renumbered(links_.size());
   for (PlaceId place = 0; place < places_.size(); ++place) {
+    if (interrupt.isDue()) return std::nullopt;
     Roadmap::Place& here = roadmap.places[place];
     here.turns_freely = legs[here.group].turnsFreely(here.at, here.keep_m);
     here.first_link = static_cast<LinkId>(roadmap.links.size());

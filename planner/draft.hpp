@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "planner/interrupt.hpp"
 #include "planner/legs.hpp"
 #include "planner/roadmap.hpp"
 
@@ -78,8 +80,9 @@ class Draft {
       if (ways_[id] != 0) join(links_[id].from, links_[id].to);
   }
 
-  /// `legs`: by group. The roadmap, for a draft without a base whose links are all checked.
-  [[nodiscard]] Roadmap freeze(std::span<const underway::Legs> legs) const;
+  /// The roadmap, for a draft without a base whose links are all checked; empty when interrupted. `legs`: by
+  /// group.
+  [[nodiscard]] std::optional<Roadmap> freeze(std::span<const underway::Legs> legs, Interrupt& interrupt) const;
 
  private:
   /// The first of a place's own links in a list; lists are chained through next_out_ and next_in_.

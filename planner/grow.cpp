@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <numbers>
 #include <random>
+#include <tuple>
+#include <utility>
 
 #include "geometry/sweep.hpp"
 #include "planner/draft.hpp"
@@ -123,44 +127,69 @@ struct Growth::State {
     }
   }
 
-  void addSites(std::uint32_t batch) {
+  // A batch is a list of steps, each of some tens of microseconds, so that growing can stop between two of them
+  // and go on there later. What they draw depends on the batch alone.
+
+  void planSites(std::uint32_t batch) {
     if (!standing) return;
-    PoseSampler sampler(checker(), *standing, {}, seedOf(settings.seed, batch, 0));
+    const auto sampler = samplerFor(*standing, {}, seedOf(settings.seed, batch, 0));
     for (unsigned i = 0; i < kSitesPerBatch; ++i) {
       const Kind kind = i % 4 == 2 ? Kind::kGaussian : i % 4 == 3 ? Kind::kBridge : Kind::kUniform;
-      if (const auto pose = sampler.sample(kind))
-        settle({ground->sites.add(*standing, pose->position(), checker().robot().margin_m)});
+      steps.emplace_back([this, sampler, kind] {
+        if (const auto pose = sampler->sample(kind)) addSite(*standing, *pose);
+      });
     }
   }
 
-  void addLowLines(std::uint32_t batch, ModeId mode) {
+  void planLowLines(std::uint32_t batch, ModeId mode) {
     if (overhangs[mode].empty()) return;
-    PoseSampler sampler(checker(), mode, overhangs[mode], seedOf(settings.seed, batch, 1U + mode));
-    for (unsigned i = 0; i < kLinesPerBatch; ++i) {
-      const auto pose = sampler.sample(Kind::kLowPlace);
-      if (!pose) continue;
-      const Mode& moving = checker().robot().modes[mode];
-      if (moving.canTurn()) settle({ground->sites.add(mode, pose->position(), checker().robot().margin_m)});
-      for (const Sense sense : kSenses)
-        if (moving.canMove(sense)) settle(ground->rails.addThrough(mode, sense, *pose));
-    }
+    const auto sampler = samplerFor(mode, overhangs[mode], seedOf(settings.seed, batch, 1U + mode));
+    for (unsigned i = 0; i < kLinesPerBatch; ++i)
+      steps.emplace_back([this, sampler, mode] {
+        if (const auto pose = sampler->sample(Kind::kLowPlace)) addLowLines(mode, *pose);
+      });
   }
 
-  void addNarrowLines(std::uint32_t batch, ModeId mode) {
+  void planNarrowLines(std::uint32_t batch, ModeId mode) {
     const Mode& moving = checker().robot().modes[mode];
     if (!gaps || !moving.canTurn() ||
         narrowestStrip(moving) > narrowestStrip(checker().robot().modes[*standing]))
       return;
-    std::mt19937_64 random(seedOf(settings.seed, batch, 100U + mode));
-    for (unsigned i = 0; i < kLooksPerBatch; ++i) {
-      const auto gap = gaps->draw(random);
-      if (!gap || gap->width_m < narrowestStrip(moving) + 2.0 * checker().robot().margin_m) continue;
-      for (const Sense sense : {Sense::kForward, Sense::kLeft}) {
-        if (!moving.canMove(sense) && !moving.canMove(opposite(sense))) continue;
-        if (strip(moving, sense) > narrowestStrip(moving)) continue;
-        const Pose pose{gap->middle.x, gap->middle.y, headingAlong(*gap, sense)};
-        if (checker().isFree(stay(mode, pose))) settle(ground->rails.addNarrow(mode, sense, pose));
-      }
+    const auto random = std::make_shared<std::mt19937_64>(seedOf(settings.seed, batch, 100U + mode));
+    for (unsigned i = 0; i < kLooksPerBatch; ++i)
+      steps.emplace_back([this, random, mode] {
+        if (const auto gap = gaps ? gaps->draw(*random) : std::nullopt) addNarrowLines(mode, *gap);
+      });
+  }
+
+  /// It keeps the world it draws in.
+  [[nodiscard]] std::shared_ptr<PoseSampler> samplerFor(ModeId mode, std::vector<std::size_t> below,
+                                                        std::uint64_t seed) const {
+    const auto in_world = std::make_shared<std::pair<std::shared_ptr<const Checker>, PoseSampler>>(
+        std::piecewise_construct, std::forward_as_tuple(world),
+        std::forward_as_tuple(*world, mode, std::move(below), seed));
+    return {in_world, &in_world->second};
+  }
+
+  void addSite(ModeId mode, const Pose& pose) {
+    settle({ground->sites.add(mode, pose.position(), checker().robot().margin_m)});
+  }
+
+  void addLowLines(ModeId mode, const Pose& pose) {
+    const Mode& moving = checker().robot().modes[mode];
+    if (moving.canTurn()) addSite(mode, pose);
+    for (const Sense sense : kSenses)
+      if (moving.canMove(sense)) settle(ground->rails.addThrough(mode, sense, pose));
+  }
+
+  void addNarrowLines(ModeId mode, const Gaps::Gap& gap) {
+    const Mode& moving = checker().robot().modes[mode];
+    if (gap.width_m < narrowestStrip(moving) + 2.0 * checker().robot().margin_m) return;
+    for (const Sense sense : {Sense::kForward, Sense::kLeft}) {
+      if (!moving.canMove(sense) && !moving.canMove(opposite(sense))) continue;
+      if (strip(moving, sense) > narrowestStrip(moving)) continue;
+      const Pose pose{gap.middle.x, gap.middle.y, headingAlong(gap, sense)};
+      if (checker().isFree(stay(mode, pose))) settle(ground->rails.addNarrow(mode, sense, pose));
     }
   }
 
@@ -173,25 +202,44 @@ struct Growth::State {
   std::optional<ModeId> standing;                         // the first mode that turns: sites are drawn for it
   std::optional<Gaps> gaps;                               // that the standing mode does not fit through
   std::uint32_t batches = 0;
+  std::deque<std::function<void()>> steps;  // of the batch that has begun
 };
 
 Growth::Growth(std::shared_ptr<const Checker> checker, GrowthSettings settings)
     : state_(std::make_unique<State>(std::move(checker), settings)) {}
 Growth::~Growth() = default;
 
-void Growth::addBatch() {
-  const std::uint32_t batch = state_->batches++;
-  state_->addSites(batch);
-  for (ModeId mode = 0; mode < state_->checker().robot().modes.size(); ++mode) {
-    state_->addLowLines(batch, mode);
-    state_->addNarrowLines(batch, mode);
+bool Growth::addBatch(Interrupt& interrupt) {
+  State& state = *state_;
+  if (state.steps.empty()) {
+    state.planSites(state.batches);
+    for (ModeId mode = 0; mode < state.checker().robot().modes.size(); ++mode) {
+      state.planLowLines(state.batches, mode);
+      state.planNarrowLines(state.batches, mode);
+    }
   }
+  for (; !state.steps.empty(); state.steps.pop_front()) {
+    if (interrupt.isDueNow()) return false;
+    state.steps.front()();
+  }
+  ++state.batches;
+  return true;
+}
+
+void Growth::addBatch() {
+  Interrupt never(Interrupt::Clock::time_point::max(), {});
+  addBatch(never);
+}
+
+std::optional<Roadmap> Growth::freeze(Interrupt& interrupt) const {
+  auto roadmap = state_->draft.freeze(state_->ground->stances.all(), interrupt);
+  if (roadmap) roadmap->batches = state_->batches;
+  return roadmap;
 }
 
 Roadmap Growth::freeze() const {
-  Roadmap roadmap = state_->draft.freeze(state_->ground->stances.all());
-  roadmap.batches = state_->batches;
-  return roadmap;
+  Interrupt never(Interrupt::Clock::time_point::max(), {});
+  return *freeze(never);
 }
 
 void Growth::moveTo(std::shared_ptr<const Checker> checker) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/checker.hpp"
+#include "planner/interrupt.hpp"
 #include "planner/roadmap.hpp"
 #include "planner/settings.hpp"
 
@@ -20,9 +21,12 @@ class Growth {
   Growth(std::shared_ptr<const Checker> checker, GrowthSettings settings);
   ~Growth();
 
-  /// Adds the next batch, all of it: half a batch is no batch.
+  /// Adds the next batch. When interrupted it returns false, and goes on where it stopped the next time: half a
+  /// batch is no batch, and must not be frozen.
+  bool addBatch(Interrupt& interrupt);
   void addBatch();
-  /// The roadmap as grown.
+  /// The roadmap as grown; empty when interrupted.
+  [[nodiscard]] std::optional<Roadmap> freeze(Interrupt& interrupt) const;
   [[nodiscard]] Roadmap freeze() const;
 
   /// Goes on in another revision of the world; what has grown is looked at again.

@@ -7,10 +7,10 @@ namespace underway {
 
 using PlaceId = Roadmap::PlaceId;
 
-Guide::Guide(const Draft& graph, const Stances& stances, Policy policy, PlaceId start, PlaceId goal)
+Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, PlaceId goal, Interrupt& interrupt)
     : graph_(graph),
       stances_(stances),
-      policy_(policy),
+      interrupt_(interrupt),
       start_(graph.place(start).at),
       us_per_m_(1e6 / stances.highestSpeed()),
       least_(graph.placeCount(), Cost::most()),
@@ -19,8 +19,8 @@ Guide::Guide(const Draft& graph, const Stances& stances, Policy policy, PlaceId 
 }
 
 Cost Guide::from(PlaceId place) {
-  while (!is_settled_[place] && !open_.empty()) settleNext();
-  return is_settled_[place] ? least_[place] : Cost::most();
+  while (is_settled_[place] == 0 && !open_.empty() && !interrupt_.isDue()) settleNext();
+  return is_settled_[place] != 0 ? least_[place] : Cost::most();
 }
 
 void Guide::reach(PlaceId place, Cost cost) {
@@ -54,7 +54,7 @@ void Guide::settleNext() {
   });
   graph_.forEachCrossingTo(here, [&](Roadmap::LinkId id) {
     if (graph_.ways(id) != 0)
-      reach(graph_.link(id).from, cost + graph_.crossing(graph_.link(id)).cost(policy_));
+      reach(graph_.link(id).from, cost + graph_.crossing(graph_.link(id)).cost(stances_.policy()));
   });
 }
 

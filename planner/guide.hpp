@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/draft.hpp"
+#include "planner/interrupt.hpp"
 #include "planner/sites.hpp"
 
 namespace underway {
@@ -14,10 +15,9 @@ namespace underway {
 class Guide {
  public:
   /// All must outlive it.
-  Guide(const Draft& graph, const Stances& stances, Policy policy, Roadmap::PlaceId start,
-        Roadmap::PlaceId goal);
+  Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start, Roadmap::PlaceId goal, Interrupt& interrupt);
 
-  /// Cost::most() where no links lead to the goal.
+  /// Cost::most() where no links lead to the goal, and everywhere once it is interrupted.
   [[nodiscard]] Cost from(Roadmap::PlaceId place);
 
  private:
@@ -34,7 +34,7 @@ class Guide {
 
   const Draft& graph_;
   const Stances& stances_;
-  Policy policy_;
+  Interrupt& interrupt_;
   Point start_;
   double us_per_m_;  // at the robot's highest speed
   std::vector<Cost> least_;

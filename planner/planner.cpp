@@ -56,9 +56,11 @@ struct Planner::State {
     snapshot = std::move(next);
   }
 
-  /// Publishes the roadmap as grown, in the world as it is now.
-  void publishGrowth() {
-    auto roadmap = std::make_shared<const Roadmap>(growth.freeze());
+  /// Publishes the roadmap as grown, in the world as it is now. When interrupted it is left to who comes next.
+  void publishGrowth(Interrupt& interrupt) {
+    auto grown = growth.freeze(interrupt);
+    if (!grown) return;
+    auto roadmap = std::make_shared<const Roadmap>(std::move(*grown));
     const std::lock_guard lock(changing);
     const Snapshot before = current();
     if (before.planning->checker != growth.checker()) {
@@ -105,22 +107,23 @@ struct Planner::State {
     const auto started = Clock::now();
     const std::uint32_t wanted = growth.batchesToCover();
     do {
-      growth.addBatch();
+      if (!growth.addBatch(interrupt)) return;
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
     } while (growth.batches() < wanted && !growing_time.isDueNow());
-    build_ms = std::chrono::duration<double, std::milli>(Clock::now() - started).count();
-    publishGrowth();
+    build_ms = build_ms + std::chrono::duration<double, std::milli>(Clock::now() - started).count();
+    publishGrowth(interrupt);
   }
 
   /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
-  /// this one grown by a fifth, or as far as it comes by the deadline.
+  /// this one grown by a fifth. Growth that the deadline cuts off goes on with the next query.
   void growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
     const auto lock = turnToGrow(interrupt);
     if (!lock || current().roadmap->batches > roadmap.batches) return;
     followWorld();
-    const std::uint32_t wanted = growth.batches() + 1 + growth.batches() / 5;
-    while (growth.batches() < wanted && !interrupt.isDueNow()) growth.addBatch();
-    if (growth.batches() > roadmap.batches) publishGrowth();
+    const std::uint32_t wanted = roadmap.batches + 1 + roadmap.batches / 5;
+    while (growth.batches() < wanted)
+      if (!growth.addBatch(interrupt)) return;
+    publishGrowth(interrupt);
   }
 
   /// What grows next grows in the world as it is now.

@@ -56,14 +56,14 @@ struct Open {
 
 class Search {
  public:
-  Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks,
-         const Target& target)
+  Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks, const Target& target, Interrupt& interrupt)
       : graph_(graph),
         stances_(stances),
         robot_(robot),
         checks_(checks),
         target_(target),
-        guide_(graph, stances, stances.policy(), target.start, target.goal),
+        interrupt_(interrupt),
+        guide_(graph, stances, target.start, target.goal, interrupt),
         stride_(static_cast<StateId>(stances.mostWays())),
         states_(tableOfThisThread()),
         end_(1 + graph.linkCount() * stride_),
@@ -71,10 +71,10 @@ class Search {
         nearest_m_(distance(graph.place(target.start).at, graph.place(target.goal).at)),
         nearest_(0) {}
 
-  std::optional<Passage> cheapest(Interrupt& interrupt) {
+  std::optional<Passage> cheapest() {
     states_.begin(end_ + 1);
     arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
-    while (!open_.empty() && !interrupt.isDue()) {
+    while (!open_.empty() && !interrupt_.isDue()) {
       const StateId here = open_.front().state;
       std::pop_heap(open_.begin(), open_.end());
       open_.pop_back();
@@ -292,6 +292,7 @@ class Search {
   const Robot& robot_;
   LinkChecks& checks_;
   const Target& target_;
+  Interrupt& interrupt_;
   Guide guide_;
   StateId stride_;
   StateTable& states_;  // the start, each way of each link, the end
@@ -329,8 +330,8 @@ bool LinkChecks::isFree(Roadmap::LinkId id, std::size_t way, const Legs& legs) {
 
 std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,
                               LinkChecks& checks, const Target& target, Interrupt& interrupt, Pose* nearest) {
-  Search search(graph, stances, robot, checks, target);
-  auto passage = search.cheapest(interrupt);
+  Search search(graph, stances, robot, checks, target, interrupt);
+  auto passage = search.cheapest();
   if (!passage && nearest) *nearest = search.nearest();
   return passage;
 }

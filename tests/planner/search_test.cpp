@@ -127,7 +127,8 @@ TEST_P(SearchIn, IsGuidedByABoundThatIsConsistentOnEveryLink) {
   const Draft graph(&roadmap);
   for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
     const Stances stances(checker, policy);
-    Guide guide(graph, stances, policy, 0, 1);
+    Interrupt never(test::soon(), {});
+    Guide guide(graph, stances, 0, 1, never);
     for (Roadmap::LinkId id = 0; id < roadmap.links.size(); ++id) {
       const Roadmap::Link& link = roadmap.links[id];
       const Legs& legs = stances.ofGroup(roadmap.places[link.from].group);
