@@ -12,7 +12,7 @@ struct Part {
   Expected<void> (*add)(const PlannerOptions&, Report&, const Progress&);
 };
 constexpr std::array kParts{Part{"cold", addCold},          Part{"warm", addWarm},
-                            Part{"cost", addCost},          Part{"deadlines", addDeadlines},
+                            Part{"cost", addCost},          Part{"deadlines", addDeadlines}, Part{"change", addChange},
                             Part{"narrow", addNarrow},      Part{"scaling", addScaling},
                             Part{"buildings", addBuildings}};
 

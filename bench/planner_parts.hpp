@@ -21,6 +21,9 @@ namespace underway::bench {
 /// Processor time that goes on after the deadline.
 [[nodiscard]] Expected<void> addDeadlines(const PlannerOptions& options, Report& report,
                                           const Progress& progress);
+/// One box moved about: what the new snapshot costs, and what looking at everything again would.
+[[nodiscard]] Expected<void> addChange(const PlannerOptions& options, Report& report,
+                                       const Progress& progress);
 /// Gaps that leave a body 2, 4 and 8 cm, for each mode.
 [[nodiscard]] Expected<void> addNarrow(const PlannerOptions& options, Report& report,
                                        const Progress& progress);

@@ -54,7 +54,7 @@ Expected<void> addScaling(const PlannerOptions& options, Report& report, const P
   const int rounds = options.quick ? 1 : 5;
   struct Built {
     double took_ms;
-    double nodes;
+    double obstacles;
   };
   std::vector<Built> built;
   double done = 0.0;
@@ -73,7 +73,7 @@ Expected<void> addScaling(const PlannerOptions& options, Report& report, const P
       if (plan) nodes = static_cast<double>(plan->stats.nodes);
       progress(done += 1.0 / static_cast<double>(kTiles.size() * static_cast<std::size_t>(rounds)));
     }
-    built.push_back({quantile(took_ms, 0.5), nodes});
+    built.push_back({quantile(took_ms, 0.5), static_cast<double>(world->obstacles().size())});
     const std::string what = "offices, " + std::to_string(tiles * tiles) + ": ";
     const auto samples = static_cast<unsigned long>(rounds);
     report.rows.push_back({what + "roadmap", built.back().took_ms, "ms", "", {}, 1, samples, {}, {}});
@@ -81,8 +81,8 @@ Expected<void> addScaling(const PlannerOptions& options, Report& report, const P
   }
   const Built& first = built.front();
   const Built& last = built.back();
-  if (first.nodes < 2.0 || last.nodes < 2.0) return {};
-  const double growth = last.nodes * std::log(last.nodes) / (first.nodes * std::log(first.nodes));
+  const double growth =
+      last.obstacles * std::log(last.obstacles) / (first.obstacles * std::log(first.obstacles));
   const double ratio = last.took_ms / first.took_ms / growth;
   report.rows.push_back({"offices, 1 to 16: the roadmap's time over what n log n allows",
                          ratio,

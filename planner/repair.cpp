@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,12 +19,32 @@ double reachOfBody(const BodyBox& body) {
   return std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max));
 }
 
-/// No part of the robot, in any mode or switch, is further from its frame's origin [m].
+constexpr double kRounding_m = 1e-6;
+
+/// No part of the robot, in any mode or switch, is further from its frame's origin, the margin included [m].
 double reachOfRobot(const Robot& robot) {
   double reach = 0.0;
   for (const Mode& mode : robot.modes) reach = std::max(reach, reachOfBody(mode.body_m));
   for (const Switch& change : robot.switches) reach = std::max(reach, reachOfBody(change.body_m));
-  return reach + 2.0 * robot.margin_m + 1e-6;
+  return reach + 2.0 * robot.margin_m + kRounding_m;
+}
+
+/// The same of a group's modes and the switches among them.
+double reachOfGroup(const Robot& robot, const Groups& groups, GroupId group) {
+  double reach = 0.0;
+  for (const ModeId mode : groups.modes[group]) reach = std::max(reach, reachOfBody(robot.modes[mode].body_m));
+  for (const Switch& change : robot.switches)
+    if (groups.of_mode[change.from] == group && groups.of_mode[change.to] == group)
+      reach = std::max(reach, reachOfBody(change.body_m));
+  return reach + 2.0 * robot.margin_m + kRounding_m;
+}
+
+double distanceToSegment(Point point, Point a, Point b) {
+  const Point along{b.x - a.x, b.y - a.y};
+  const double squared = along.x * along.x + along.y * along.y;
+  const double share =
+      squared > 0.0 ? std::clamp(((point.x - a.x) * along.x + (point.y - a.y) * along.y) / squared, 0.0, 1.0) : 0.0;
+  return distance(point, {a.x + share * along.x, a.y + share * along.y});
 }
 
 Region regionOf(const OrientedBox& box) {
@@ -33,9 +54,15 @@ Region regionOf(const OrientedBox& box) {
   return region;
 }
 
-Region regionOf(const Roadmap& roadmap, const Roadmap::Link& link, const Robot& robot) {
+double driftOf(const Robot& robot) {
   double drift = 0.0;
   for (const Mode& mode : robot.modes) drift = std::max(drift, mode.drift_m_per_m);
+  return drift;
+}
+
+Region regionOf(const Roadmap& roadmap, const Roadmap::Link& link, const Robot& robot) {
+    const double drift = driftOf(robot);
+
   if (link.crossing == Roadmap::kNone)
     return Region::between(roadmap.places[link.from].at, roadmap.places[link.to].at).grown(drift * link.length_m);
   const Route& motions = roadmap.crossings[link.crossing].motions;
@@ -105,16 +132,40 @@ bool isFirstOfTwo(const Roadmap& roadmap, LinkId id) {
 
 LinkIndex::LinkIndex(const Roadmap& roadmap, const Robot& robot)
     : places_(static_cast<std::uint32_t>(roadmap.places.size())) {
-  const double reach = reachOfRobot(robot);
+  const Groups groups(robot);
+  std::vector<double> reach;
+  for (GroupId group = 0; group < groups.modes.size(); ++group) reach.push_back(reachOfGroup(robot, groups, group));
+  const double widest = reachOfRobot(robot);
   std::vector<Region> regions;
   for (const Roadmap::Place& place : roadmap.places)
-    regions.push_back(Region::between(place.at, place.at).grown(reach));
+    regions.push_back(Region::between(place.at, place.at).grown(reach[place.group]));
   for (LinkId id = 0; id < roadmap.links.size(); ++id) {
     if (!isFirstOfTwo(roadmap, id)) continue;
     links_.push_back(id);
-    regions.push_back(regionOf(roadmap, roadmap.links[id], robot).grown(reach));
+    const Roadmap::Link& link = roadmap.links[id];
+    const bool is_crossing = link.crossing != Roadmap::kNone;
+    regions.push_back(
+        regionOf(roadmap, link, robot).grown(is_crossing ? widest : reach[roadmap.places[link.from].group]));
+    reach_m_.push_back(is_crossing ? std::numeric_limits<double>::infinity()
+                                   : reach[roadmap.places[link.from].group] + driftOf(robot) * link.length_m);
   }
   covered_ = RegionGrid(std::move(regions));
+}
+
+void LinkIndex::visit(const Roadmap& roadmap, const OrientedBox& box, const std::function<void(LinkId)>& link,
+                      const std::function<void(PlaceId)>& place) const {
+  const Region region = regionOf(box);
+  const Point middle{box.center_m.x, box.center_m.y};
+  const double half_m = 0.5 * std::hypot(region.max_x - region.min_x, region.max_y - region.min_y);
+  covered_.visit(region, [&](std::uint32_t entry) {
+    if (entry < places_) return place(entry);
+    // The regions of slanting links are wide: most of what lies in them is not near the link.
+    const LinkId id = links_[entry - places_];
+    const Roadmap::Link& there = roadmap.links[id];
+    const double away_m =
+        distanceToSegment(middle, roadmap.places[there.from].at, roadmap.places[there.to].at);
+    if (away_m <= half_m + reach_m_[entry - places_]) link(id);
+  });
 }
 
 std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& index, const Stances& stances,
@@ -127,7 +178,7 @@ std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& 
     for (const Obstacles::Pointer& obstacle : {change.before, change.after})
       if (obstacle)
         index.visit(
-            regionOf(obstacle->box),
+            before, obstacle->box,
             [&](LinkId id) {
               if (once(before.places.size() + id)) recheck.link(id);
             },

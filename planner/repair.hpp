@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,21 +17,15 @@ class LinkIndex {
  public:
   LinkIndex(const Roadmap& roadmap, const Robot& robot);
 
-  /// Calls link(id) and place(id) for what the robot might touch a region from; some may come twice. Of two links
+  /// Calls link(id) and place(id) for what the robot might touch a box from; some may come twice. Of two links
   /// that are twins, one.
-  template <class VisitLink, class VisitPlace>
-  void visit(const Region& region, const VisitLink& visit_link, const VisitPlace& visit_place) const {
-    covered_.visit(region, [&](std::uint32_t entry) {
-      if (entry < places_)
-        visit_place(entry);
-      else
-        visit_link(links_[entry - places_]);
-    });
-  }
+  void visit(const Roadmap& roadmap, const OrientedBox& box, const std::function<void(Roadmap::LinkId)>& link,
+             const std::function<void(Roadmap::PlaceId)>& place) const;
 
  private:
   std::uint32_t places_ = 0;             // regions below this are of places, the others of links
   std::vector<Roadmap::LinkId> links_;
+  std::vector<double> reach_m_;  // of the robot to the sides of each of them; of crossings infinite
   RegionGrid covered_;                   // what the robot may cover there, its margin included
 };
 
