@@ -35,7 +35,11 @@ Gaps::Gaps(const World& world, Range slab, double widest_m)
     const bool is_seen = box.center_m.z - half_z <= slab.max && box.center_m.z + half_z >= slab.min;
     if (!is_seen || box.rpy_rad.x != 0.0 || box.rpy_rad.y != 0.0) continue;
     footprints_.push_back(
-        {{box.center_m.x, box.center_m.y, box.rpy_rad.z}, 0.5 * box.size_m.x, 0.5 * box.size_m.y});
+        {{box.center_m.x, box.center_m.y, box.rpy_rad.z},
+                           0.5 * box.size_m.x,
+                           0.5 * box.size_m.y,
+                           std::cos(box.rpy_rad.z),
+                           std::sin(box.rpy_rad.z)});
     // Into every cell whose middle is near enough: a point of the cell may look at it.
     const double reach = std::hypot(footprints_.back().half_x, footprints_.back().half_y) + 2.0 * widest_m_;
     const auto range = [&](double middle, std::size_t count) {
@@ -59,11 +63,14 @@ Point Gaps::pointIn(const Pose& frame, double x, double y) {
   return transform({0.0, 0.0, -frame.yaw}, offset);
 }
 
-double Gaps::wayTo(const Footprint& footprint, Point from, double direction_rad) const {
-  const Point local = pointIn(footprint.frame, from.x, from.y);
-  const double direction = direction_rad - footprint.frame.yaw;
-  const Range x = crossing(local.x, std::cos(direction), footprint.half_x);
-  const Range y = crossing(local.y, std::sin(direction), footprint.half_y);
+double Gaps::wayTo(const Footprint& footprint, Point from, Point direction) {
+  const double dx = from.x - footprint.frame.x;
+  const double dy = from.y - footprint.frame.y;
+  const double c = footprint.cos;
+  const double s = footprint.sin;
+  const Range x = crossing(c * dx + s * dy, c * direction.x + s * direction.y, footprint.half_x);
+  if (x.max <= 0.0) return kNone;
+  const Range y = crossing(c * dy - s * dx, c * direction.y - s * direction.x, footprint.half_y);
   const double enters = std::max(x.min, y.min);
   return enters <= std::min(x.max, y.max) && enters > 0.0 ? enters : kNone;
 }
@@ -82,11 +89,12 @@ std::optional<Gaps::Gap> Gaps::draw(std::mt19937_64& random) const {
   const double normal =
       footprint.frame.yaw + (on_x ? 0.0 : 0.5 * std::numbers::pi) + (sign > 0.0 ? 0.0 : std::numbers::pi);
   if (!isOver(from)) return std::nullopt;
+    const Point direction{std::cos(normal), std::sin(normal)};
   double nearest = kNone;
   for (const std::uint32_t other : cells_[cellAt(from)])
-    if (other != own) nearest = std::min(nearest, wayTo(footprints_[other], from, normal));
+    if (other != own) nearest = std::min(nearest, wayTo(footprints_[other], from, direction));
   if (nearest > widest_m_) return std::nullopt;
-  const Point middle{from.x + 0.5 * nearest * std::cos(normal), from.y + 0.5 * nearest * std::sin(normal)};
+  const Point middle{from.x + 0.5 * nearest * direction.x, from.y + 0.5 * nearest * direction.y};
   return Gap{middle, normalizedAngle(normal), nearest};
 }
 

@@ -27,15 +27,18 @@ class Gaps {
   [[nodiscard]] std::optional<Gap> draw(std::mt19937_64& random) const;
 
  private:
-  struct Footprint {
+    struct Footprint {
     Pose frame;  ///< middle and direction
     double half_x;
     double half_y;
+    double cos;  ///< of the direction
+    double sin;
   };
   [[nodiscard]] static Point pointIn(const Pose& frame, double x, double y);
   [[nodiscard]] bool isOver(Point point) const;
   [[nodiscard]] std::size_t cellAt(Point point) const;
-  [[nodiscard]] double wayTo(const Footprint& footprint, Point from, double direction_rad) const;
+  /// Along a direction of length 1, to where a footprint begins; infinite where it is not met.
+  [[nodiscard]] static double wayTo(const Footprint& footprint, Point from, Point direction);
 
   double widest_m_;
   Pose corner_;  // of the bucket grid, over the bounds

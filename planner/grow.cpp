@@ -25,11 +25,11 @@ using PlaceId = Draft::PlaceId;
 using Kind = PoseSampler::Kind;
 
 constexpr unsigned kSitesPerBatch = 24;
-constexpr unsigned kLinesPerBatch = 12;  // for each mode that is lower than the first
+constexpr unsigned kLinesPerBatch = 6;   // for each mode that is lower than the first
 constexpr unsigned kLooksPerBatch = 60;  // across gaps, for each narrower mode: most see none
 constexpr double kNarrow_m = 0.25;       // a gap with less room than this beside the standing body is narrow
-constexpr std::size_t kNeighbours = 64;  // looked at; Sites::connectAround tries few of them
-constexpr unsigned kProbes = 2000;       // poses drawn to see how much floor is free
+constexpr std::size_t kNeighbours = 40;  // looked at; Sites::connectAround tries few of them
+constexpr unsigned kProbes = 500;       // poses drawn to see how much floor is free
 
 /// A seed for one use of one batch, spread by splitmix64.
 std::uint64_t seedOf(std::uint64_t seed, std::uint64_t batch, std::uint64_t use) {
