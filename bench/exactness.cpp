@@ -1,5 +1,5 @@
-#include "bench/peers/fcl_tree.hpp"
 #include "bench/exactness.hpp"
+#include "bench/peers/fcl_tree.hpp"
 
 #include <algorithm>
 #include <atomic>

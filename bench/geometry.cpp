@@ -1,5 +1,5 @@
-#include "bench/peers/fcl_tree.hpp"
 #include "bench/geometry.hpp"
+#include "bench/peers/fcl_tree.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -11,10 +11,10 @@ struct Part {
   const char* name;
   Expected<void> (*add)(const PlannerOptions&, Report&, const Progress&);
 };
-constexpr std::array kParts{Part{"cold", addCold},          Part{"warm", addWarm},
-                            Part{"cost", addCost},          Part{"deadlines", addDeadlines}, Part{"change", addChange},
-                            Part{"narrow", addNarrow},      Part{"scaling", addScaling},
-                            Part{"buildings", addBuildings}};
+constexpr std::array kParts{Part{"cold", addCold},       Part{"warm", addWarm},
+                            Part{"cost", addCost},       Part{"deadlines", addDeadlines},
+                            Part{"change", addChange},   Part{"narrow", addNarrow},
+                            Part{"scaling", addScaling}, Part{"buildings", addBuildings}};
 
 }  // namespace
 

@@ -7,9 +7,9 @@
 namespace underway::bench {
 namespace {
 
-constexpr double kSnapshot_ms = 0.5;      // asked
+constexpr double kSnapshot_ms = 0.5;  // asked
 constexpr double kRevalidation_ms = 10.0;
-constexpr double kNodes = 5000.0;         // of the roadmap, about
+constexpr double kNodes = 5000.0;  // of the roadmap, about
 
 double millisecondsSince(Planner::Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Planner::Clock::now() - start).count();

@@ -53,8 +53,8 @@ std::string_view blockedBy(Need need) {
   return kOf.at(static_cast<std::size_t>(need));
 }
 
-void judgeBlame(const Checker& checker, const proof::Proof& proven, const Room& room, const RobotPointer& robot,
-                Need need, double missing_m, Closed& closed) {
+void judgeBlame(const Checker& checker, const proof::Proof& proven, const Room& room,
+                const RobotPointer& robot, Need need, double missing_m, Closed& closed) {
   const auto start = Clock::now();
   Interrupt interrupt(start + seconds(10), {});
   const proof::Blame told = proof::blame(

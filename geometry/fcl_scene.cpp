@@ -106,7 +106,8 @@ bool FclShapes::comeWithin(const Prism& box, double distance_m) const {
   for (const Object& object : shapes_->objects) {
     if (!collide(grown, object)) continue;
     if (rounded.empty()) rounded = roundedBox(box, distance_m);
-    if (std::any_of(rounded.begin(), rounded.end(), [&](const Object& part) { return collide(part, object); }))
+    if (std::any_of(rounded.begin(), rounded.end(),
+                    [&](const Object& part) { return collide(part, object); }))
       return true;
   }
   return false;

@@ -10,8 +10,8 @@
 
 namespace underway {
 
-/// Some of a world's source shapes as FCL's own, to be asked for booleans only: FCL's distances can overestimate.
-/// For one thread.
+/// Some of a world's source shapes as FCL's own, to be asked for booleans only: FCL's distances can
+/// overestimate. For one thread.
 class FclShapes {
  public:
   explicit FclShapes(std::vector<Obstacles::Pointer> obstacles);
@@ -29,9 +29,10 @@ class FclShapes {
   std::unique_ptr<const Shapes> shapes_;
 };
 
-/// The world's source shapes, to pick some for FCL. Which may matter somewhere is told by a plain grid over their
-/// bounding boxes, made when it is first asked: nothing here is shared with the layers. After a change the grid
-/// stays as it was, and what is gone and what came is kept beside it, until that is so much that a new one is due.
+/// The world's source shapes, to pick some for FCL. Which may matter somewhere is told by a plain grid over
+/// their bounding boxes, made when it is first asked: nothing here is shared with the layers. After a change
+/// the grid stays as it was, and what is gone and what came is kept beside it, until that is so much that a
+/// new one is due.
 ///
 /// Thread safety: const members may be called from any number of threads.
 class FclScene {

@@ -34,8 +34,7 @@ RegionGrid::RegionGrid(std::vector<Region> regions) : regions_(std::move(regions
   entries_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t i = 0; i < regions_.size(); ++i)
-    if (!isLarge(regions_[i]))
-      visitCells(regions_[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
+    if (!isLarge(regions_[i])) visitCells(regions_[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
 }
 
 bool RegionGrid::isLarge(const Region& region) const {

@@ -31,8 +31,8 @@ struct Region {
   }
 };
 
-/// Finds regions that overlap another, by a grid of cells. Simple enough to be trusted by what checks the rest;
-/// made in a pass over the regions. Never changed once made; any number of threads may read it.
+/// Finds regions that overlap another, by a grid of cells. Simple enough to be trusted by what checks the
+/// rest; made in a pass over the regions. Never changed once made; any number of threads may read it.
 class RegionGrid {
  public:
   RegionGrid() = default;

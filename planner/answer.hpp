@@ -21,7 +21,9 @@ struct Planning {
   Stances by_priority;
 
   explicit Planning(std::shared_ptr<const Checker> c)
-      : checker(std::move(c)), fastest(*checker, Policy::kFastest), by_priority(*checker, Policy::kPriority) {}
+      : checker(std::move(c)),
+        fastest(*checker, Policy::kFastest),
+        by_priority(*checker, Policy::kPriority) {}
 };
 
 /// What came of a try on one roadmap.

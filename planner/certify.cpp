@@ -134,8 +134,7 @@ class Certificate {
       return;
     }
     const bool is_clear = checker_.judge().isClear(motion(), std::min(told, kClearanceCap_m));
-    if (!is_clear)
-      flaw("tells {:.4f} m of clearance and has less", told);
+    if (!is_clear) flaw("tells {:.4f} m of clearance and has less", told);
     const Closeness closeness = checker_.closeness(motion(), kClearanceCap_m);
     const double truth = closeness.clearance_m;
     checkHeadroom(closeness.headroom_m);

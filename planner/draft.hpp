@@ -82,7 +82,8 @@ class Draft {
 
   /// The roadmap, for a draft without a base whose links are all checked; empty when interrupted. `legs`: by
   /// group.
-  [[nodiscard]] std::optional<Roadmap> freeze(std::span<const underway::Legs> legs, Interrupt& interrupt) const;
+  [[nodiscard]] std::optional<Roadmap> freeze(std::span<const underway::Legs> legs,
+                                              Interrupt& interrupt) const;
 
  private:
   /// The first of a place's own links in a list; lists are chained through next_out_ and next_in_.

@@ -34,8 +34,7 @@ Gaps::Gaps(const World& world, Range slab, double widest_m)
     const double half_z = 0.5 * box.size_m.z;
     const bool is_seen = box.center_m.z - half_z <= slab.max && box.center_m.z + half_z >= slab.min;
     if (!is_seen || box.rpy_rad.x != 0.0 || box.rpy_rad.y != 0.0) continue;
-    footprints_.push_back(
-        {{box.center_m.x, box.center_m.y, box.rpy_rad.z},
+    footprints_.push_back({{box.center_m.x, box.center_m.y, box.rpy_rad.z},
                            0.5 * box.size_m.x,
                            0.5 * box.size_m.y,
                            std::cos(box.rpy_rad.z),
@@ -89,7 +88,7 @@ std::optional<Gaps::Gap> Gaps::draw(std::mt19937_64& random) const {
   const double normal =
       footprint.frame.yaw + (on_x ? 0.0 : 0.5 * std::numbers::pi) + (sign > 0.0 ? 0.0 : std::numbers::pi);
   if (!isOver(from)) return std::nullopt;
-    const Point direction{std::cos(normal), std::sin(normal)};
+  const Point direction{std::cos(normal), std::sin(normal)};
   double nearest = kNone;
   for (const std::uint32_t other : cells_[cellAt(from)])
     if (other != own) nearest = std::min(nearest, wayTo(footprints_[other], from, direction));

@@ -27,7 +27,7 @@ class Gaps {
   [[nodiscard]] std::optional<Gap> draw(std::mt19937_64& random) const;
 
  private:
-    struct Footprint {
+  struct Footprint {
     Pose frame;  ///< middle and direction
     double half_x;
     double half_y;

@@ -29,7 +29,7 @@ constexpr unsigned kLinesPerBatch = 6;   // for each mode that is lower than the
 constexpr unsigned kLooksPerBatch = 60;  // across gaps, for each narrower mode: most see none
 constexpr double kNarrow_m = 0.25;       // a gap with less room than this beside the standing body is narrow
 constexpr std::size_t kNeighbours = 40;  // looked at; Sites::connectAround tries few of them
-constexpr unsigned kProbes = 500;       // poses drawn to see how much floor is free
+constexpr unsigned kProbes = 500;        // poses drawn to see how much floor is free
 
 /// A seed for one use of one batch, spread by splitmix64.
 std::uint64_t seedOf(std::uint64_t seed, std::uint64_t batch, std::uint64_t use) {
@@ -127,8 +127,8 @@ struct Growth::State {
     }
   }
 
-  // A batch is a list of steps, each of some tens of microseconds, so that growing can stop between two of them
-  // and go on there later. What they draw depends on the batch alone.
+  // A batch is a list of steps, each of some tens of microseconds, so that growing can stop between two of
+  // them and go on there later. What they draw depends on the batch alone.
 
   void planSites(std::uint32_t batch) {
     if (!standing) return;
@@ -244,7 +244,9 @@ Roadmap Growth::freeze() const {
 
 void Growth::moveTo(std::shared_ptr<const Checker> checker) {
   state_->standOn(std::move(checker));
-  state_->draft.revalidate([&](Roadmap::LinkId id) { return freeWaysOf(state_->draft, id, state_->ground->stances, state_->checker()); });
+  state_->draft.revalidate([&](Roadmap::LinkId id) {
+    return freeWaysOf(state_->draft, id, state_->ground->stances, state_->checker());
+  });
 }
 
 const std::shared_ptr<const Checker>& Growth::checker() const { return state_->world; }

@@ -21,8 +21,8 @@ class Growth {
   Growth(std::shared_ptr<const Checker> checker, GrowthSettings settings);
   ~Growth();
 
-  /// Adds the next batch. When interrupted it returns false, and goes on where it stopped the next time: half a
-  /// batch is no batch, and must not be frozen.
+  /// Adds the next batch. When interrupted it returns false, and goes on where it stopped the next time: half
+  /// a batch is no batch, and must not be frozen.
   bool addBatch(Interrupt& interrupt);
   void addBatch();
   /// The roadmap as grown; empty when interrupted.

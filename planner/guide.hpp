@@ -15,7 +15,8 @@ namespace underway {
 class Guide {
  public:
   /// All must outlive it.
-  Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start, Roadmap::PlaceId goal, Interrupt& interrupt);
+  Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start, Roadmap::PlaceId goal,
+        Interrupt& interrupt);
 
   /// Cost::most() where no links lead to the goal, and everywhere once it is interrupted.
   [[nodiscard]] Cost from(Roadmap::PlaceId place);

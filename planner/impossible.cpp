@@ -14,7 +14,8 @@ constexpr std::chrono::milliseconds kEnough{700};
 }  // namespace
 
 std::optional<Error> provenImpossible(const Checker& checker, const Request& request,
-                                      const GrowthSettings& settings, Interrupt& proving, Interrupt& blaming) {
+                                      const GrowthSettings& settings, Interrupt& proving,
+                                      Interrupt& blaming) {
   const auto proof = proof::proveNoPath(checker, request, proving);
   if (!proof) return std::nullopt;
   const auto robot = std::make_shared<const Robot>(checker.robot());

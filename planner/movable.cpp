@@ -1,7 +1,6 @@
 #include "planner/movable.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "planner/roadmap.hpp"
@@ -9,124 +8,122 @@
 namespace underway {
 namespace {
 
-constexpr double kShortest_m = 1e-3;  // of a line that is made shorter
-constexpr double kTurned_rad_per_m = 0.5;
+constexpr double kShortest_m = 1e-3;       // of a line that is made shorter
+constexpr double kTurned_rad_per_m = 0.5;  // so that the ends of a line of some metres move by about a step
+
+/// The pose so far along a translation's line, from a pose on it.
+Pose along(const Motion& line, const Pose& from, double way_m) {
+  const double angle = angleOf(line.sense);
+  return compose(from, {way_m * std::cos(angle), way_m * std::sin(angle), 0.0});
+}
 
 }  // namespace
 
-Movable::Movable(const Rules& rules, Route motions, bool is_start, bool is_goal, double start_m,
-                 double goal_m)
+Movable::Movable(const Rules& rules, Route motions)
     : rules_(rules),
       motions_(std::move(motions)),
-      is_start_(is_start),
-      is_goal_(is_goal),
-      start_m_(start_m),
-      goal_m_(goal_m),
       cost_(costOf(rules.checker->robot(), rules.policy, motions_)) {}
 
-/// The one translation of a crossing that has one, with switches at most on its two sides.
-std::optional<std::size_t> Movable::line() const {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    if (motions_[i].kind != MotionKind::kTranslate) continue;
-    if (found) return std::nullopt;
-    found = i;
+std::optional<Movable> Movable::moved(Move move, double step_m) const {
+  const double turned = kTurned_rad_per_m * step_m;
+  switch (move) {
+    case Move::kAhead:
+      return shifted({step_m, 0.0, 0.0});
+    case Move::kBack:
+      return shifted({-step_m, 0.0, 0.0});
+    case Move::kLeft:
+      return shifted({0.0, step_m, 0.0});
+    case Move::kRight:
+      return shifted({0.0, -step_m, 0.0});
+    case Move::kTurnedLeft:
+      return shifted({0.0, 0.0, turned});
+    case Move::kTurnedRight:
+      return shifted({0.0, 0.0, -turned});
+    case Move::kLaterEntry:
+      return withEntry(step_m);
+    case Move::kEarlierEntry:
+      return withEntry(-step_m);
+    case Move::kLaterExit:
+      return withExit(step_m);
+    case Move::kEarlierExit:
+      return withExit(-step_m);
   }
-  return found;
+  return std::nullopt;
 }
 
-std::optional<Movable> Movable::rebuilt(const Pose& line_from, double length_m) const {
+/// The one translation, if there is one and no more.
+std::optional<std::size_t> Movable::line() const {
+  const auto is_line = [](const Motion& motion) { return motion.kind == MotionKind::kTranslate; };
+  const auto first = std::find_if(motions_.begin(), motions_.end(), is_line);
+  if (first == motions_.end() || std::any_of(first + 1, motions_.end(), is_line)) return std::nullopt;
+  return static_cast<std::size_t>(first - motions_.begin());
+}
+
+/// By a pose in the body frame, about the middle of the line.
+std::optional<Movable> Movable::shifted(const Pose& by) const {
+  if (rules_.is_start || rules_.is_goal) return std::nullopt;
+  if (const auto on = line()) {
+    const Motion& old = motions_[*on];
+    const double half_m = 0.5 * length(old);
+    const Pose middle = compose(along(old, old.from, half_m), by);
+    return withLine(*on, along(old, middle, -half_m), 2.0 * half_m);
+  }
+  if (motions_.size() != 1) return std::nullopt;
+  const Switch& change = *rules_.checker->robot().findSwitch(motions_[0].mode, motions_[0].to_mode);
+  return Movable(rules_, {switchModes(change, compose(motions_[0].from, by))});
+}
+
+std::optional<Movable> Movable::withEntry(double later_m) const {
+  const auto on = line();
+  if (rules_.is_start || !on || *on == 0) return std::nullopt;
+  const Motion& old = motions_[*on];
+  const double length_m = length(old) - later_m;
+  if (length_m < kShortest_m) return std::nullopt;
+  return withLine(*on, along(old, old.from, later_m), length_m);
+}
+
+std::optional<Movable> Movable::withExit(double later_m) const {
+  const auto on = line();
+  if (rules_.is_goal || !on || *on + 1 == motions_.size()) return std::nullopt;
+  const double length_m = length(motions_[*on]) + later_m;
+  if (length_m < kShortest_m) return std::nullopt;
+  return withLine(*on, motions_[*on].from, length_m);
+}
+
+/// All motions anew, round a line from a pose; what is fixed stays as it is, bit for bit.
+Movable Movable::withLine(std::size_t on, const Pose& from, double length_m) const {
   const Robot& robot = rules_.checker->robot();
-  const std::size_t on = *line();
-  const Motion& old = motions_[on];
-  Route motions(motions_.size());
-  Pose low = line_from;
+  const auto change_at = [&](std::size_t i) -> const Switch& {
+    return *robot.findSwitch(motions_[i].mode, motions_[i].to_mode);
+  };
+  Route motions = motions_;
+  Pose low = from;
   for (std::size_t i = on; i-- > 0;) {
-    const Switch& change = *robot.findSwitch(motions_[i].mode, motions_[i].to_mode);
+    if (rules_.is_start) break;
+    const Switch& change = change_at(i);
     motions[i] = switchModes(change, before(low, change.displacement));
     if (change.displacement.yaw == 0.0) motions[i].to.yaw = low.yaw;
     low = motions[i].from;
   }
-  const Pose from = on > 0 ? motions[on - 1].to : line_from;
-  motions[on] = translate(old.mode, old.sense, from, length_m);
-  if (is_goal_ && on + 1 == motions_.size()) motions[on].to = old.to;
-  for (std::size_t i = on + 1; i < motions_.size(); ++i)
-    motions[i] = switchModes(*robot.findSwitch(motions_[i].mode, motions_[i].to_mode), motions[i - 1].to);
-  return Movable(rules_, std::move(motions), is_start_, is_goal_, start_m_, goal_m_);
-}
-
-std::optional<Movable> Movable::moved(Move move, double step_m) const {
-  const auto on = line();
-  const bool is_fixed = is_start_ || is_goal_;
-  const bool turns = rules_.checker->robot().modes[motions_.front().mode].canTurn() &&
-                     rules_.checker->robot().modes[motions_.back().to_mode].canTurn();
-  if (!on) {  // a lone switch
-    if (is_fixed || motions_.size() != 1 || !turns) return std::nullopt;
-    const Switch& change = *rules_.checker->robot().findSwitch(motions_[0].mode, motions_[0].to_mode);
-    constexpr std::array kShifts{Pose{1, 0, 0},  Pose{-1, 0, 0}, Pose{0, 1, 0},
-                                 Pose{0, -1, 0}, Pose{0, 0, 1},  Pose{0, 0, -1}};
-    const auto which = static_cast<std::size_t>(move);
-    if (which >= kShifts.size()) return std::nullopt;
-    const Pose shift{kShifts[which].x * step_m, kShifts[which].y * step_m,
-                     kShifts[which].yaw * step_m * kTurned_rad_per_m};
-    return Movable(rules_, {switchModes(change, compose(motions_[0].from, shift))}, false, false, start_m_,
-                   goal_m_);
+  const Motion& old = motions_[on];
+  motions[on] = translate(old.mode, old.sense, on > 0 ? motions[on - 1].to : from, length_m);
+  if (rules_.is_goal) {
+    motions[on].to = old.to;
+  } else {
+    for (std::size_t i = on + 1; i < motions.size(); ++i)
+      motions[i] = switchModes(change_at(i), motions[i - 1].to);
   }
-  const Motion& old = motions_[*on];
-  const double length_m = length(old);
-  const double along = angleOf(old.sense);
-  const auto shifted = [&](double ahead, double left, double turned) {
-    // About the middle of the line.
-    const Pose middle =
-        compose(old.from, {0.5 * length_m * std::cos(along), 0.5 * length_m * std::sin(along), 0.0});
-    const Pose moved_middle = compose(middle, {ahead * std::cos(along) - left * std::sin(along),
-                                               ahead * std::sin(along) + left * std::cos(along), turned});
-    return compose(moved_middle, {-0.5 * length_m * std::cos(along), -0.5 * length_m * std::sin(along), 0.0});
-  };
-  const auto from_ahead = [&](double ahead) {
-    return compose(old.from, {ahead * std::cos(along), ahead * std::sin(along), 0.0});
-  };
-  const bool has_entry = *on > 0;
-  const bool has_exit = *on + 1 < motions_.size();
-  const double turned = kTurned_rad_per_m * step_m;
-  switch (move) {
-    case Move::kAhead:
-      return is_fixed ? std::nullopt : rebuilt(shifted(step_m, 0, 0), length_m);
-    case Move::kBack:
-      return is_fixed ? std::nullopt : rebuilt(shifted(-step_m, 0, 0), length_m);
-    case Move::kLeft:
-      return is_fixed ? std::nullopt : rebuilt(shifted(0, step_m, 0), length_m);
-    case Move::kRight:
-      return is_fixed ? std::nullopt : rebuilt(shifted(0, -step_m, 0), length_m);
-    case Move::kTurnedLeft:
-      return is_fixed ? std::nullopt : rebuilt(shifted(0, 0, turned), length_m);
-    case Move::kTurnedRight:
-      return is_fixed ? std::nullopt : rebuilt(shifted(0, 0, -turned), length_m);
-    case Move::kLaterEntry:
-      if (is_start_ || !has_entry || length_m - step_m < kShortest_m) return std::nullopt;
-      return rebuilt(from_ahead(step_m), length_m - step_m);
-    case Move::kEarlierEntry:
-      if (is_start_ || !has_entry) return std::nullopt;
-      return rebuilt(from_ahead(-step_m), length_m + step_m);
-    case Move::kLaterExit:
-      if (is_goal_ || !has_exit) return std::nullopt;
-      return rebuilt(old.from, length_m + step_m);
-    case Move::kEarlierExit:
-      if (is_goal_ || !has_exit || length_m - step_m < kShortest_m) return std::nullopt;
-      return rebuilt(old.from, length_m - step_m);
-  }
-  return std::nullopt;
+  return {rules_, std::move(motions)};
 }
 
 bool Movable::isFree() const {
   const double margin = rules_.checker->robot().margin_m;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     double keep = margin;
-    if (is_start_ && i == 0) keep = std::min(keep, start_m_);
-    if (is_goal_ && i + 1 == motions_.size()) keep = std::min(keep, goal_m_);
-    if (!isFreeKeeping(*rules_.checker, motions_[i],
-                       keep < margin ? keep : std::max(keep, rules_.at_least_m)))
-      return false;
+    if (rules_.is_start && i == 0) keep = std::min(keep, rules_.start_m);
+    if (rules_.is_goal && i + 1 == motions_.size()) keep = std::min(keep, rules_.goal_m);
+    keep = keep < margin ? keep : std::max(keep, rules_.at_least_m);
+    if (!isFreeKeeping(*rules_.checker, motions_[i], keep)) return false;
   }
   return true;
 }

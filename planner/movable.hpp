@@ -3,31 +3,36 @@
 #include <array>
 #include <optional>
 
-#include "planner/legs.hpp"
+#include "geometry/checker.hpp"
+#include "planner/route.hpp"
 
 namespace underway {
 
-/// A part of a route that no choice of headings can change: a switch that moves the robot, or a straight way
-/// in a mode that cannot turn, with the switches before and after it. It can be moved as a whole, turned,
-/// made longer and shorter.
+/// A crossing that shortening may change: move it as a whole, turn it, make its line longer or shorter at
+/// either end. What it consists of stays the same: a lone switch, or a straight line with switches before and
+/// after it.
 class Movable {
  public:
-  /// What the motions keep: as Legs, with the start's and the goal's clearance where they begin or end there.
+  /// What the motions keep: as legs do, with the start's and the goal's clearance where the route begins or
+  /// ends in them.
   struct Rules {
     const Checker* checker = nullptr;
     Policy policy = Policy::kPriority;
     double at_least_m = 0.0;
+    double start_m = 0.0;
+    double goal_m = 0.0;
+    bool is_start = false;  ///< the route starts in it: its entry stays where it is
+    bool is_goal = false;   ///< the route ends in it: its exit stays where it is
   };
 
-  /// Motions as a route has them. Fixed ends cannot be moved: where the route starts or ends in it.
-  Movable(const Rules& rules, Route motions, bool is_start, bool is_goal, double start_m, double goal_m);
+  Movable(const Rules& rules, Route motions);
 
   [[nodiscard]] const Route& motions() const { return motions_; }
   [[nodiscard]] Cost cost() const { return cost_; }
   [[nodiscard]] const Pose& entry() const { return motions_.front().from; }
   [[nodiscard]] const Pose& exit() const { return motions_.back().to; }
 
-  /// Ways to change it, by a step: kAhead..kTurned move all of it, the others one end along its line.
+  /// The first six move all of it, the others one end along its line.
   enum class Move {
     kAhead,
     kBack,
@@ -43,20 +48,19 @@ class Movable {
   static constexpr std::array kMoves{
       Move::kAhead,       Move::kBack,       Move::kLeft,         Move::kRight,     Move::kTurnedLeft,
       Move::kTurnedRight, Move::kLaterEntry, Move::kEarlierEntry, Move::kLaterExit, Move::kEarlierExit};
-  /// The crossing after a move; empty where that makes no sense. Not checked yet.
+  /// What it becomes by a move of a step; empty where that makes no sense. Not checked yet.
   [[nodiscard]] std::optional<Movable> moved(Move move, double step_m) const;
   [[nodiscard]] bool isFree() const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> line() const;
-  [[nodiscard]] std::optional<Movable> rebuilt(const Pose& line_from, double length_m) const;
+  [[nodiscard]] std::optional<Movable> shifted(const Pose& by) const;
+  [[nodiscard]] std::optional<Movable> withEntry(double later_m) const;
+  [[nodiscard]] std::optional<Movable> withExit(double later_m) const;
+  [[nodiscard]] Movable withLine(std::size_t line, const Pose& from, double length_m) const;
 
   Rules rules_;
   Route motions_;
-  bool is_start_;
-  bool is_goal_;
-  double start_m_;
-  double goal_m_;
   Cost cost_;
 };
 

@@ -23,21 +23,23 @@ struct Snapshot {
   std::shared_ptr<const LinkIndex> index;  // of the roadmap; empty until a change needs it
 };
 
-std::string timeoutMessage(Planner::Clock::duration took, const Roadmap* roadmap, const std::optional<Pose>& nearest) {
+std::string timeoutMessage(Planner::Clock::duration took, const Roadmap* roadmap,
+                           const std::optional<Pose>& nearest) {
   const std::string reached =
-      nearest ? fmt::format("; the nearest pose that was reached is ({:.2f} m, {:.2f} m, {:.2f} rad)", nearest->x,
-                            nearest->y, nearest->yaw)
+      nearest ? fmt::format("; the nearest pose that was reached is ({:.2f} m, {:.2f} m, {:.2f} rad)",
+                            nearest->x, nearest->y, nearest->yaw)
               : "";
-  return fmt::format("no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more time, "
-                     "or look at the places with `underway query`",
-                     std::chrono::duration<double>(took).count(), roadmap ? roadmap->batches : 0U, reached);
+  return fmt::format(
+      "no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more time, "
+      "or look at the places with `underway query`",
+      std::chrono::duration<double>(took).count(), roadmap ? roadmap->batches : 0U, reached);
 }
 
 }  // namespace
 
 /// The snapshot that answers now, and the growth behind it. Whoever grows holds `growing`; whoever makes a
-/// snapshot out of the last one holds `changing`; whoever reads or publishes it holds `published`, for no longer
-/// than a copy of its pointers takes.
+/// snapshot out of the last one holds `changing`; whoever reads or publishes it holds `published`, for no
+/// longer than a copy of its pointers takes.
 struct Planner::State {
   State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings s)
       : settings(s),
@@ -56,7 +58,8 @@ struct Planner::State {
     snapshot = std::move(next);
   }
 
-  /// Publishes the roadmap as grown, in the world as it is now. When interrupted it is left to who comes next.
+  /// Publishes the roadmap as grown, in the world as it is now. When interrupted it is left to who comes
+  /// next.
   void publishGrowth(Interrupt& interrupt) {
     auto grown = growth.freeze(interrupt);
     if (!grown) return;
@@ -82,9 +85,9 @@ struct Planner::State {
       const auto changes = Obstacles::changes(before->world().obstacles(), checker->world().obstacles());
       const bool is_other_room = before->world().bounds() != checker->world().bounds() ||
                                  before->world().floorZ() != checker->world().floorZ();
-      next.roadmap = is_other_room
-                         ? revalidated(*next.roadmap, next.planning->fastest, *checker, repair)
-                         : repaired(*next.roadmap, *next.index, next.planning->fastest, *checker, changes, repair);
+      next.roadmap = is_other_room ? revalidated(*next.roadmap, next.planning->fastest, *checker, repair)
+                                   : repaired(*next.roadmap, *next.index, next.planning->fastest, *checker,
+                                              changes, repair);
     }
     publish(std::move(next));
     return repair;

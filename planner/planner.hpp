@@ -16,8 +16,8 @@ namespace underway {
 /// Told while the roadmap grows: the share that is done, 0..1. Must not call the planner.
 using Progress = std::function<void(double)>;
 
-/// Plans in one world for one robot, on a shared roadmap that grows when a query needs it and is repaired when
-/// the world changes.
+/// Plans in one world for one robot, on a shared roadmap that grows when a query needs it and is repaired
+/// when the world changes.
 ///
 /// Thread safety: all members may be called from any number of threads. A query uses the snapshot it started
 /// with; growth and repair publish a new one.
@@ -34,18 +34,18 @@ class Planner {
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
   /// A certified plan, or why there is none: start or goal in collision or out of bounds, kNoPathExists with
-  /// what is to blame, kTimeout with the nearest pose that was reached, kCancelled, kInvalidRequest. If there is
-  /// no roadmap yet it grows one first, for half of the time at most (and tells `progress`). If the roadmap does
-  /// not hold a plan, it tries to prove that there is none, and grows batch by batch until there is one or the
-  /// deadline passes.
+  /// what is to blame, kTimeout with the nearest pose that was reached, kCancelled, kInvalidRequest. If there
+  /// is no roadmap yet it grows one first, for half of the time at most (and tells `progress`). If the
+  /// roadmap does not hold a plan, it tries to prove that there is none, and grows batch by batch until there
+  /// is one or the deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
   /// The same without trying to prove anything.
   [[nodiscard]] Expected<Plan> findPlan(const Request& request, Clock::time_point deadline,
                                         const std::stop_token& stop = {}, const Progress& progress = {});
 
-  /// Moves on to another revision of the world. The roadmap keeps its places and links; those that the changes
-  /// may touch are looked at again. Queries that have begun end in the world they began in.
+  /// Moves on to another revision of the world. The roadmap keeps its places and links; those that the
+  /// changes may touch are looked at again. Queries that have begun end in the world they began in.
   Repair update(std::shared_ptr<const World> revision);
 
   /// The roadmap as it is now; empty before `prepare` and the first plan.

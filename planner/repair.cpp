@@ -32,7 +32,8 @@ double reachOfRobot(const Robot& robot) {
 /// The same of a group's modes and the switches among them.
 double reachOfGroup(const Robot& robot, const Groups& groups, GroupId group) {
   double reach = 0.0;
-  for (const ModeId mode : groups.modes[group]) reach = std::max(reach, reachOfBody(robot.modes[mode].body_m));
+  for (const ModeId mode : groups.modes[group])
+    reach = std::max(reach, reachOfBody(robot.modes[mode].body_m));
   for (const Switch& change : robot.switches)
     if (groups.of_mode[change.from] == group && groups.of_mode[change.to] == group)
       reach = std::max(reach, reachOfBody(change.body_m));
@@ -43,7 +44,8 @@ double distanceToSegment(Point point, Point a, Point b) {
   const Point along{b.x - a.x, b.y - a.y};
   const double squared = along.x * along.x + along.y * along.y;
   const double share =
-      squared > 0.0 ? std::clamp(((point.x - a.x) * along.x + (point.y - a.y) * along.y) / squared, 0.0, 1.0) : 0.0;
+      squared > 0.0 ? std::clamp(((point.x - a.x) * along.x + (point.y - a.y) * along.y) / squared, 0.0, 1.0)
+                    : 0.0;
   return distance(point, {a.x + share * along.x, a.y + share * along.y});
 }
 
@@ -61,10 +63,11 @@ double driftOf(const Robot& robot) {
 }
 
 Region regionOf(const Roadmap& roadmap, const Roadmap::Link& link, const Robot& robot) {
-    const double drift = driftOf(robot);
+  const double drift = driftOf(robot);
 
   if (link.crossing == Roadmap::kNone)
-    return Region::between(roadmap.places[link.from].at, roadmap.places[link.to].at).grown(drift * link.length_m);
+    return Region::between(roadmap.places[link.from].at, roadmap.places[link.to].at)
+        .grown(drift * link.length_m);
   const Route& motions = roadmap.crossings[link.crossing].motions;
   Region region = Region::between(motions[0].from.position(), motions[0].to.position());
   double way_m = 0.0;
@@ -94,7 +97,9 @@ class Recheck {
     ++repair_.checked;
     if (link.crossing != Roadmap::kNone) {
       const Route& motions = roadmap_->crossings[link.crossing].motions;
-      set(id, std::all_of(motions.begin(), motions.end(), [&](const Motion& m) { return checker_.isFree(m); }) ? 1 : 0);
+      set(id, std::all_of(motions.begin(), motions.end(), [&](const Motion& m) { return checker_.isFree(m); })
+                  ? 1
+                  : 0);
       return;
     }
     const Legs& legs = stances_.ofGroup(from.group);
@@ -134,7 +139,8 @@ LinkIndex::LinkIndex(const Roadmap& roadmap, const Robot& robot)
     : places_(static_cast<std::uint32_t>(roadmap.places.size())) {
   const Groups groups(robot);
   std::vector<double> reach;
-  for (GroupId group = 0; group < groups.modes.size(); ++group) reach.push_back(reachOfGroup(robot, groups, group));
+  for (GroupId group = 0; group < groups.modes.size(); ++group)
+    reach.push_back(reachOfGroup(robot, groups, group));
   const double widest = reachOfRobot(robot);
   std::vector<Region> regions;
   for (const Roadmap::Place& place : roadmap.places)
@@ -188,8 +194,8 @@ std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& 
   return recheck.result();
 }
 
-std::shared_ptr<const Roadmap> revalidated(const Roadmap& before, const Stances& stances, const Checker& after,
-                                           Repair& repair) {
+std::shared_ptr<const Roadmap> revalidated(const Roadmap& before, const Stances& stances,
+                                           const Checker& after, Repair& repair) {
   Recheck recheck(before, stances, after, repair);
   for (PlaceId id = 0; id < before.places.size(); ++id) recheck.place(id);
   for (LinkId id = 0; id < before.links.size(); ++id)

@@ -15,8 +15,8 @@ namespace {
 Motion after(const Motion& motion, double done) {
   switch (motion.kind) {
     case MotionKind::kTranslate: {
-      const Pose from{std::lerp(motion.from.x, motion.to.x, done), std::lerp(motion.from.y, motion.to.y, done),
-                      motion.from.yaw};
+      const Pose from{std::lerp(motion.from.x, motion.to.x, done),
+                      std::lerp(motion.from.y, motion.to.y, done), motion.from.yaw};
       return translate(motion.mode, motion.sense, from, motion.to.position());
     }
     case MotionKind::kTurn: {
@@ -43,8 +43,8 @@ double leastClearance(const Plan& plan) {
   return least;
 }
 
-/// Whether one plan is better than another by what counts for the policy: more than 0 yes, less than 0 worse, 0
-/// not by what comes before time.
+/// Whether one plan is better than another by what counts for the policy: more than 0 yes, less than 0 worse,
+/// 0 not by what comes before time.
 int comparedBeforeTime(const Plan& fresh, const Plan& old, const Request& request, const Robot& robot,
                        const Reluctance& reluctance) {
   if (request.policy == Policy::kSafest) {
@@ -70,8 +70,9 @@ bool isWorthIt(const Plan& fresh, const Plan& old, const Request& request, const
 }  // namespace
 
 Plan rest(const Executing& executing, const Robot& robot) {
-  std::vector<Segment> segments(executing.plan.segments.begin() + static_cast<std::ptrdiff_t>(executing.segment),
-                                executing.plan.segments.end());
+  std::vector<Segment> segments(
+      executing.plan.segments.begin() + static_cast<std::ptrdiff_t>(executing.segment),
+      executing.plan.segments.end());
   if (!segments.empty()) {
     Segment& first = segments.front();
     first.motion = after(first.motion, std::clamp(executing.done, 0.0, 1.0));
@@ -106,9 +107,10 @@ Expected<Replanned> replan(Planner& planner, const Executing& executing, const R
     return Replanned{std::move(*fresh), true,
                      fmt::format("the new plan takes {:.1f} s, what is left of the old one {:.1f} s",
                                  fresh->total_time_s, left.total_time_s)};
-  return Replanned{std::move(left), false,
-                   fmt::format("the plan still holds, and a new one would save {:.1f} s of {:.1f} s: not enough",
-                               left.total_time_s - fresh->total_time_s, left.total_time_s)};
+  return Replanned{
+      std::move(left), false,
+      fmt::format("the plan still holds, and a new one would save {:.1f} s of {:.1f} s: not enough",
+                  left.total_time_s - fresh->total_time_s, left.total_time_s)};
 }
 
 }  // namespace underway

@@ -13,8 +13,8 @@ struct Executing {
   double done = 0.0;        ///< share of it, 0..1
 };
 
-/// How much better a new plan must be for the robot to leave the one it follows, so that it does not go to and
-/// fro between two ways that are about as good.
+/// How much better a new plan must be for the robot to leave the one it follows, so that it does not go to
+/// and fro between two ways that are about as good.
 struct Reluctance {
   double share = 0.1;          ///< of the time that is left
   double least_s = 2.0;        ///< and this much [s]
@@ -24,22 +24,23 @@ struct Reluctance {
 
 /// What to do next.
 struct Replanned {
-  Plan plan;            ///< the new one, or what is left of the old one
+  Plan plan;  ///< the new one, or what is left of the old one
   bool is_new = false;
-  std::string why;      ///< in a sentence
+  std::string why;  ///< in a sentence
 };
 
-/// What is left of a plan, timed anew; it begins where the robot is by `done`. A switch cannot be left half way:
-/// it is still there as a whole.
+/// What is left of a plan, timed anew; it begins where the robot is by `done`. A switch cannot be left half
+/// way: it is still there as a whole.
 [[nodiscard]] Plan rest(const Executing& executing, const Robot& robot);
 
-/// Plans anew from where the robot is, and says whether to change over: when the old plan is broken, or the new
-/// one is better by more than `reluctance`. While the old plan holds, a new one that is not found is no failure.
+/// Plans anew from where the robot is, and says whether to change over: when the old plan is broken, or the
+/// new one is better by more than `reluctance`. While the old plan holds, a new one that is not found is no
+/// failure.
 ///
-/// `request.start` is where the robot is; in a switch, where it will end. Errors: as Planner::plan, of a broken
-/// plan only; kInvalidRequest for a segment the plan does not have.
+/// `request.start` is where the robot is; in a switch, where it will end. Errors: as Planner::plan, of a
+/// broken plan only; kInvalidRequest for a segment the plan does not have.
 [[nodiscard]] Expected<Replanned> replan(Planner& planner, const Executing& executing, const Request& request,
-                                         Planner::Clock::time_point deadline, const Reluctance& reluctance = {},
-                                         const std::stop_token& stop = {});
+                                         Planner::Clock::time_point deadline,
+                                         const Reluctance& reluctance = {}, const std::stop_token& stop = {});
 
 }  // namespace underway

@@ -56,7 +56,8 @@ struct Open {
 
 class Search {
  public:
-  Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks, const Target& target, Interrupt& interrupt)
+  Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks,
+         const Target& target, Interrupt& interrupt)
       : graph_(graph),
         stances_(stances),
         robot_(robot),

@@ -32,10 +32,10 @@ class Shortening {
 
   Passage best(Interrupt& interrupt) {
     // Only so many stations are left out at a time, so again until none is.
-    while (improve(corridorAlong(0.0), interrupt)) continue;
+    while (improve(withStopsLeftOut(), interrupt)) continue;
     for (const double step_m : kSteps_m) {
-      for (int i = 0; i < kRepeats && improve(corridorAlong(step_m, i > 0), interrupt); ++i) continue;
-      improve(corridorAlong(0.0), interrupt);
+      for (int i = 0; i < kRepeats && improve(withMoves(step_m, i > 0), interrupt); ++i) continue;
+      improve(withStopsLeftOut(), interrupt);
     }
     return std::move(passage_);
   }
@@ -60,29 +60,42 @@ class Shortening {
             crossing.cost()};
   }
 
-  // --- from a passage to the corridor round it ------------------------------------------------------------
+  // --- corridors round the passage ------------------------------------------------------------------------
 
-  /// `is_repeat`: legs keep their modes and senses, and only what moved last time, or has a neighbour that did,
-  /// is moved again.
-  Corridor corridorAlong(double step_m, bool is_repeat = false) {
+  /// The passage itself, of which stops may be left out.
+  [[nodiscard]] Corridor withStopsLeftOut() const {
+    Corridor corridor;
+    for (const Passage::Step& step : passage_.steps) {
+      Station station;
+      station.options = {step.option};
+      station.may_be_skipped = step.option.is_stop;
+      station.reach = kReach;
+      station.legs_on = &stances_.ofMode(step.leaving.mode);
+      corridor.push_back(std::move(station));
+    }
+    return corridor;
+  }
+
+  /// Stops and crossings moved by a step; if that is coarse, also stops added. `is_repeat`: legs keep their
+  /// modes and senses, and only what moved last time, or has a neighbour that did, is moved again.
+  [[nodiscard]] Corridor withMoves(double step_m, bool is_repeat) const {
+    const bool is_coarse = step_m >= kCoarse_m;
     Corridor corridor;
     for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
       const Passage::Step& step = passage_.steps[i];
-      const bool is_coarse = step_m >= kCoarse_m;
-      const bool keeps_way = step_m > 0.0 && step.way && !(is_coarse && !is_repeat);
-      const std::uint32_t ways_to = keeps_way ? 1U << *step.way : ~0U;
       const bool is_settled = is_repeat && !isNewNear(i);
-      if (i > 0 && step.way && is_coarse && !(is_settled && !isNewNear(i - 1))) addBetween(i, step_m, ways_to, corridor);
-      const bool is_end = i == 0 || i + 1 == passage_.steps.size();
-      Station station{{step.option},
-                      step.option.is_stop && step_m == 0.0,
-                      step_m == 0.0 ? kReach
-                      : is_coarse   ? 2U
-                                    : 1U,
-                      &stances_.ofMode(step.leaving.mode)};
+      const bool keeps_way = step.way && (is_repeat || !is_coarse);
+      const std::uint32_t ways_to = keeps_way ? 1U << *step.way : ~0U;
+      const bool is_leg_settled = is_settled && !isNewNear(i - 1);
+      if (step.way && is_coarse && !is_leg_settled) addBetween(i, step_m, ways_to, corridor);
+      Station station;
+      station.options = {step.option};
+      station.reach = is_coarse ? 2 : 1;
+      station.legs_on = &stances_.ofMode(step.leaving.mode);
       station.ways_to = ways_to;
-      if (step_m > 0.0 && step.option.is_stop && !is_settled) addStopsRound(step.option, step_m, station);
-      if (step_m > 0.0 && !is_end && !step.option.is_stop && !is_settled) addCrossingsBeside(i, step_m, station);
+      const bool is_end = i == 0 || i + 1 == passage_.steps.size();
+      if (!is_settled && step.option.is_stop) addStopsRound(step.option, step_m, station);
+      if (!is_settled && !is_end && !step.option.is_stop) addCrossingsBeside(i, step_m, station);
       corridor.push_back(std::move(station));
     }
     return corridor;
@@ -107,11 +120,12 @@ class Shortening {
     const bool is_goal = i + 2 == passage_.steps.size() &&
                          passage_.steps.back().option.in == station.options[0].out &&
                          !passage_.steps.back().way;
-    const bool starts_low = is_start && !robot_.modes[station.options[0].in_mode].canTurn();
-    const bool ends_low = is_goal && !robot_.modes[station.options[0].out_mode].canTurn();
-    const Route& motions = station.options[0].motions;
-    const Movable crossing({&checker_, stances_.policy(), stances_.atLeast()}, motions, starts_low, ends_low,
-                           keeping_.start_m, keeping_.goal_m);
+    const Option& here = station.options[0];
+    Movable::Rules rules{
+        &checker_, stances_.policy(), stances_.atLeast(), keeping_.start_m, keeping_.goal_m, false, false};
+    rules.is_start = is_start && !robot_.modes[here.in_mode].canTurn();
+    rules.is_goal = is_goal && !robot_.modes[here.out_mode].canTurn();
+    const Movable crossing(rules, here.motions);
     for (const Movable::Move move : Movable::kMoves) {
       const auto moved = crossing.moved(move, step_m);
       if (moved && moved->isFree()) station.options.push_back(optionOf(*moved));
@@ -119,13 +133,18 @@ class Shortening {
   }
 
   /// Stops between two: near either, to cut its corner, and where a leg needs no turn at its other end.
-  void addBetween(std::size_t i, double step_m, std::uint32_t ways_to, Corridor& corridor) {
+  void addBetween(std::size_t i, double step_m, std::uint32_t ways_to, Corridor& corridor) const {
     const Passage::Step& a = passage_.steps[i - 1];
     const Passage::Step& b = passage_.steps[i];
     const Point from = a.option.out.position();
     const Point to = b.option.in.position();
     const double way_m = distance(from, to);
-    Station station{{}, true, 2, b.legs, ways_to, true};
+    Station station;
+    station.may_be_skipped = true;
+    station.reach = 2;
+    station.legs_on = b.legs;
+    station.ways_to = ways_to;
+    station.is_new = true;
     const auto add = [&](Point at) {
       if (distance(from, at) > 1e-6 && distance(at, to) > 1e-6)
         station.options.push_back(Option::stop(at, robot_.margin_m));

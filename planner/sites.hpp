@@ -51,7 +51,10 @@ template <class Graph>
   if (link.crossing == Roadmap::kNone)
     return freeWays(stances.ofGroup(from.group), from.at, to.at, std::min(from.keep_m, to.keep_m), nullptr);
   const Route& motions = graph.crossing(link).motions;
-  return std::all_of(motions.begin(), motions.end(), [&](const Motion& motion) { return checker.isFree(motion); }) ? 1 : 0;
+  return std::all_of(motions.begin(), motions.end(),
+                     [&](const Motion& motion) { return checker.isFree(motion); })
+             ? 1
+             : 0;
 }
 
 }  // namespace underway

@@ -75,7 +75,8 @@ FclTree::FclTree(const Obstacles& obstacles) {
   auto tree = std::make_unique<Tree>();
   tree->objects.reserve(obstacles.size());
   std::vector<Object*> all;
-  for (const Obstacle& obstacle : obstacles) all.push_back(&tree->objects.emplace_back(objectOf(obstacle.box)));
+  for (const Obstacle& obstacle : obstacles)
+    all.push_back(&tree->objects.emplace_back(objectOf(obstacle.box)));
   tree->manager.registerObjects(all);
   tree->manager.setup();
   tree_ = std::move(tree);

@@ -7,8 +7,8 @@
 
 namespace underway::bench {
 
-/// A box as FCL's own, made once and placed anywhere. A hair higher and lower than it says: one that ends flush
-/// with an obstacle counts as touching here, as it does in the layers, however FCL rounds.
+/// A box as FCL's own, made once and placed anywhere. A hair higher and lower than it says: one that ends
+/// flush with an obstacle counts as touching here, as it does in the layers, however FCL rounds.
 class FclBody {
  public:
   /// Ranges in the body frame, heights above the map frame's origin [m].

@@ -19,7 +19,8 @@ Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed,
 
 class GrownRoadmap : public ::testing::TestWithParam<const char*> {
  protected:
-  std::shared_ptr<const Checker> shared = std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
+  std::shared_ptr<const Checker> shared =
+      std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
   const Checker& checker = *shared;
   Stances stances{checker, Policy::kFastest};
   Roadmap dut = grown(shared, 1, 3);

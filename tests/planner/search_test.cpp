@@ -98,7 +98,8 @@ class Relaxed {
 
 class SearchIn : public ::testing::TestWithParam<const char*> {
  protected:
-  std::shared_ptr<const Checker> shared = std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
+  std::shared_ptr<const Checker> shared =
+      std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
   const Checker& checker = *shared;
   Roadmap roadmap = grown(shared, 5, 2);
 };
