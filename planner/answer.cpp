@@ -53,15 +53,19 @@ class Answerer {
   ///
   /// Nothing when interrupted: time must not decide which plan is given.
   std::optional<Plan> best() {
-    if (request_.policy == Policy::kPriority) return bestByPriority();
-    std::optional<Plan> plan = planBy(planning_.fastest);
-    if (!plan) return std::nullopt;
-    if (checker_.robot().modes.size() > 1) takeIfBetter(plan, planBy(planning_.by_priority));
-    if (request_.policy == Policy::kSafest) {
-      const double clearance = largestClearance();
-      if (clearance > checker_.robot().margin_m)
-        takeIfBetter(plan, planBy(Stances(checker_, Policy::kFastest, clearance)));
+    const bool is_priority = request_.policy == Policy::kPriority;
+    std::optional<Found> by_priority;
+    if (is_priority || checker_.robot().modes.size() > 1) {  // of one mode, both policies want the same
+      by_priority = find(planning_.by_priority);
+      if (!by_priority) return std::nullopt;
+      if (is_priority && !mayBeBettered(by_priority->plan)) return std::move(by_priority->plan);
     }
+    auto fastest = find(planning_.fastest, by_priority ? &*by_priority : nullptr);
+    if (!fastest) return std::nullopt;
+    Plan plan = fastest->plan;
+    if (by_priority) takeIfBetter(plan, by_priority->plan);
+    if (is_priority) return isDetour(plan, fastest->plan) ? fastest->plan : plan;
+    if (request_.policy == Policy::kSafest) takeSafer(plan);
     if (interrupt_.isDueNow()) return std::nullopt;
     return plan;
   }
@@ -69,15 +73,16 @@ class Answerer {
   [[nodiscard]] Pose nearest() const { return nearest_; }
 
  private:
-  std::optional<Plan> bestByPriority() {
-    std::optional<Plan> plan = planBy(planning_.by_priority);
-    if (!plan || !mayBeBettered(*plan)) return plan;
-    const auto fastest = planBy(planning_.fastest);
-    if (!fastest) return std::nullopt;
-    if (isBetter(*fastest, *plan)) plan = *fastest;
-    const bool is_detour = plan->total_time_s >= request_.max_detour * fastest->total_time_s &&
-                           plan->total_time_s > fastest->total_time_s;
-    return is_detour ? fastest : plan;
+  /// What came of a search.
+  struct Found {
+    Passage on_roadmap;
+    Passage shortest;
+    Plan plan;
+  };
+
+  [[nodiscard]] bool isDetour(const Plan& plan, const Plan& fastest) const {
+    return plan.total_time_s >= request_.max_detour * fastest.total_time_s &&
+           plan.total_time_s > fastest.total_time_s;
   }
 
   /// Whether the fastest plan can matter to priority: only against one that leaves the first mode and its
@@ -99,8 +104,14 @@ class Answerer {
     return a.total_time_s < b.total_time_s;
   }
 
-  void takeIfBetter(std::optional<Plan>& plan, const std::optional<Plan>& other) const {
-    if (other && isBetter(*other, *plan)) plan = other;
+  void takeIfBetter(Plan& plan, const Plan& other) const {
+    if (isBetter(other, plan)) plan = other;
+  }
+
+  void takeSafer(Plan& plan) {
+    const double clearance = largestClearance();
+    if (clearance <= checker_.robot().margin_m) return;
+    if (const auto safest = find(Stances(checker_, Policy::kFastest, clearance))) takeIfBetter(plan, safest->plan);
   }
 
   std::optional<Passage> passageBy(const Stances& stances) {
@@ -108,13 +119,26 @@ class Answerer {
                   &nearest_);
   }
 
-  std::optional<Plan> planBy(const Stances& stances) {
-    auto passage = passageBy(stances);
-    if (!passage) return std::nullopt;
-    const Route shortest = routeOf(shortened(checker_, stances, *passage, keeping_, interrupt_));
+  /// `similar`: found by another policy. Where both take the same way over the roadmap, shortening goes on from
+  /// there.
+  std::optional<Found> find(const Stances& stances, const Found* similar = nullptr) {
+    auto on_roadmap = passageBy(stances);
+    if (!on_roadmap) return std::nullopt;
+    const bool is_same = similar && areSameWay(*on_roadmap, similar->on_roadmap);
+    Passage begin = is_same ? similar->shortest : *on_roadmap;
+    if (is_same) begin.cost = Cost::most();  // by this policy it is not known
+    Passage shortest = shortened(checker_, stances, std::move(begin), keeping_, interrupt_);
     if (interrupt_.isDueNow()) return std::nullopt;
-    const Route route = joined(checker_, shortest.empty() ? routeOf(*passage) : shortest);
-    return planOf(checker_, route, request_.start);
+    const Route route = routeOf(shortest);
+    Plan plan = planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
+    return Found{std::move(*on_roadmap), std::move(shortest), std::move(plan)};
+  }
+
+  static bool areSameWay(const Passage& a, const Passage& b) {
+    return std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
+                      [](const Passage::Step& x, const Passage::Step& y) {
+                        return x.option.in == y.option.in && x.option.out == y.option.out && x.way == y.way;
+                      });
   }
 
   /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.

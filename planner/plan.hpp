@@ -60,8 +60,8 @@ struct Plan {
   double total_time_s = 0.0;   ///< sum of the durations
   double length_m = 0.0;       ///< sum of the translated lengths
   Pose goal;                   ///< where it ends, in the goal's mode
-  std::uint64_t revision = 0;  ///< of the world it was made in
   PlanStats stats;
+  std::uint64_t revision = 0;  ///< of the world it was made in
 };
 
 /// Durations and lengths summed over the segments.

@@ -142,7 +142,7 @@ class Shortening {
     Station station;
     station.may_be_skipped = true;
     station.reach = 2;
-    station.legs_on = b.legs;
+    station.legs_on = &stances_.ofMode(a.leaving.mode);
     station.ways_to = ways_to;
     station.is_new = true;
     const auto add = [&](Point at) {
