@@ -78,6 +78,9 @@ class Draft {
       if (ways_[id] != 0) join(links_[id].from, links_[id].to);
   }
 
+  /// A draft that goes on from a frozen roadmap: freezing it at once gives the same roadmap, bit for bit, and so
+  /// does adding to it what was added to the draft that the roadmap came from.
+  [[nodiscard]] static Draft thawed(const Roadmap& roadmap);
   /// `legs`: by group. The roadmap, for a draft without a base whose links are all checked.
   [[nodiscard]] Roadmap freeze(std::span<const underway::Legs> legs) const;
 
@@ -90,7 +93,6 @@ class Draft {
   LinkId addLink(const Roadmap::Link& link, Ways ways, bool is_checked);
   void join(PlaceId a, PlaceId b);
   [[nodiscard]] PlaceId rootOf(PlaceId place);
-  void indexPlaces(Roadmap& roadmap) const;
 
   const Roadmap* base_;
   PlaceId first_place_;
