@@ -183,6 +183,12 @@ tl::unexpected<Error> refused(std::string sentence) {
   return fail(ErrorCode::kInvalidRequest, std::move(sentence));
 }
 
+/// Else a sentence that names it could bring anything onto a terminal.
+bool isHash(std::string_view text) {
+  return text.size() == RoadmapKey::kHashDigits &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 RoadmapKey keyFrom(ByteReader& from) {
   RoadmapKey key;
   key.world = from.text(RoadmapKey::kHashDigits);
@@ -219,6 +225,8 @@ Expected<RoadmapFile> fromBytes(std::string_view bytes, const RoadmapKey& here, 
   if (checksum != checksumOf(from.rest()))
     return refused("the roadmap file is damaged or cut short, its checksum is wrong: let it be grown anew");
   RoadmapFile file{keyFrom(from), {}};
+  if (!isHash(file.key.world) || !isHash(file.key.robot))
+    return refused("the roadmap file contradicts itself, its hashes are none: let it be grown anew");
   if (auto why = mismatch(file.key, here)) return refused(*std::move(why));
   if (auto flaw = Payload(from, stances, robot).readInto(file.roadmap))
     return refused(fmt::format("the roadmap file contradicts itself, {}: let it be grown anew", *flaw));
