@@ -185,7 +185,8 @@ TEST_F(SpoiltRoadmap, HasNoWrongWayWhenItsNumbersAreOthers) {
           spoilReal(bytes, crossing + 1 + 8 * below(3));
           break;
       }
-      if (below(8) == 0) bytes[test::kBodyAt] = bytes[test::kBodyAt] == '0' ? '1' : '0';  // said to be of another world
+      if (below(8) == 0)
+        bytes[test::kBodyAt] = bytes[test::kBodyAt] == '0' ? '1' : '0';  // said to be of another world
       if (below(40) == 0) put(bytes, crossing + in_crossing[below(in_crossing.size())], below(256), 1);
     }
     tryOn(sealed(bytes));
