@@ -164,8 +164,7 @@ void addSeed(CLI::App& command, std::uint64_t& seed) {
 
 void addRoadmap(CLI::App& command, std::string& file) {
   command
-      .add_option("--roadmap", file,
-                  "Keep the roadmap in this file: load it if it fits, save what has grown")
+      .add_option("--roadmap", file, "Keep the roadmap in this file: load it if it fits, save what has grown")
       ->type_name("FILE");
 }
 

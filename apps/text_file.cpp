@@ -23,7 +23,8 @@ Expected<std::string> readText(const fs::path& file) {
   if (error)
     return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + error.message());
   if (size > kLargest_bytes)
-    return fail(ErrorCode::kInvalidRequest, file.string() + " is larger than 64 MB; give one that underway wrote");
+    return fail(ErrorCode::kInvalidRequest,
+                file.string() + " is larger than 64 MB; give one that underway wrote");
   std::string text(size, '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
