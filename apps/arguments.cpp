@@ -162,6 +162,12 @@ void addSeed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "Of the roadmap's random numbers (1)")->type_name("N");
 }
 
+void addRoadmap(CLI::App& command, std::string& file) {
+  command
+      .add_option("--roadmap", file, "Keep the roadmap in this file: load it if it fits, save what has grown")
+      ->type_name("FILE");
+}
+
 Expected<Request> requestOf(const QueryArguments& arguments, const Robot& robot) {
   if (!arguments.start) return fail(ErrorCode::kInvalidRequest, "--start is missing; give x,y,yaw");
   if (!arguments.goal) return fail(ErrorCode::kInvalidRequest, "--goal is missing; give x,y or x,y,yaw");

@@ -63,6 +63,8 @@ CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<P
 void addDomain(CLI::App& command, DomainSettings& domain);
 /// --seed; the range of a 64 bit number.
 void addSeed(CLI::App& command, std::uint64_t& seed);
+/// --roadmap: the file in which a roadmap outlives the program (roadmap_store.hpp).
+void addRoadmap(CLI::App& command, std::string& file);
 
 /// The request in the robot's modes. Errors: kInvalidRequest when start or goal is missing or a mode is
 /// unknown.

@@ -4,6 +4,7 @@
 #include "apps/deliver.hpp"
 #include "apps/draw_svg.hpp"
 #include "apps/inputs.hpp"
+#include "apps/roadmap_store.hpp"
 #include "apps/terminal.hpp"
 #include "planner/planner.hpp"
 
@@ -16,6 +17,7 @@ constexpr const char* kExamples =
     "  underway plan --map maps/scenario3.yaml --start 0.6,2,0 --goal 5.4,2 --policy fastest --json -\n"
     "  underway plan --map floor.pgm --resolution-m 0.05 --origin 0,0,0 --occupied-thresh 0.65 \\\n"
     "                --free-thresh 0.196 --unknown free --robot nao_obb_paper --start 1,1,0 --goal 4,3,1.57\n"
+    "  underway plan --map maps/flat.yaml --query under_the_bed --roadmap flat.roadmap\n"
     "Exit codes: 0 a plan, 3 a valid 'no', 2 invalid input, 1 anything else.";
 
 struct Arguments {
@@ -25,6 +27,7 @@ struct Arguments {
   std::string query_name;
   OutputArguments output;
   GrowthSettings growth;
+  std::string roadmap_file;
 };
 
 /// An answer and what it was made with; empty where it did not come so far.
@@ -38,9 +41,12 @@ Expected<Plan> planAt(const Site& site, const Request& request, const Arguments&
                       std::shared_ptr<const Roadmap>& roadmap) {
   const auto start = Planner::Clock::now();
   Planner planner(site.world, site.robot, arguments.growth);
+  RoadmapStore store(arguments.roadmap_file);
+  store.loadInto(planner);
   ProgressBar bar("growing the roadmap");
   Expected<Plan> plan =
       planner.plan(request, start + arguments.query.deadline, {}, [&](double share) { bar.show(share); });
+  store.saveFrom(planner);
   roadmap = planner.roadmap();
   return plan;
 }
@@ -90,6 +96,7 @@ Command addPlanCommand(CLI::App& program) {
       ->excludes("--start", "--start-mode", "--goal", "--goal-mode");
   addOutput(command, arguments->output);
   addSeed(command, arguments->growth.seed);
+  addRoadmap(command, arguments->roadmap_file);
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

@@ -6,6 +6,7 @@
 #include "apps/commands.hpp"
 #include "apps/inputs.hpp"
 #include "apps/plan_table.hpp"
+#include "apps/roadmap_store.hpp"
 #include "apps/stop_signals.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
@@ -20,6 +21,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  underway serve --map maps/scenario3.yaml\n"
     "  underway serve --map maps/ros/office.yaml --robot nao --domain 7 --workers 4 --ready-file /tmp/ready\n"
+    "  underway serve --map maps/flat.yaml --roadmap flat.roadmap\n"
     "Prints 'ready' once it answers. Ends with SIGINT or SIGTERM.";
 
 struct Arguments {
@@ -30,6 +32,7 @@ struct Arguments {
   GrowthSettings growth;
   std::uint32_t prepare_ms = 30'000;
   std::string ready_file;
+  std::string roadmap_file;
 };
 
 std::string lineOf(const Request& request, const Robot& robot, const Expected<Plan>& plan, double took_ms) {
@@ -81,7 +84,10 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   const auto log =
       std::make_shared<spdlog::logger>("underway", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
   const auto planner = std::make_shared<Planner>(site->world, site->robot, arguments.growth);
+  RoadmapStore store(arguments.roadmap_file);
+  store.loadInto(*planner);
   prepare(*planner, std::chrono::milliseconds(arguments.prepare_ms), signals.token());
+  store.saveFrom(*planner);
   if (signals.token().stop_requested()) return {};
 
   Expected<PlanService> service =
@@ -93,7 +99,9 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   log->info("serving map {} for robot {} in domain {}: {} nodes, {} edges", printable(site->world->name()),
             printable(site->robot->name), arguments.domain.id, roadmap->node_count, roadmap->edge_count);
   if (const Expected<void> announced = announce(arguments.ready_file); !announced) return announced;
-  return service->wait();
+  Expected<void> served = service->wait();
+  store.saveFrom(*planner);  // what requests have made it grow
+  return served;
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -117,6 +125,7 @@ Command addServeCommand(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   addSeed(command, arguments->growth.seed);
+  addRoadmap(command, arguments->roadmap_file);
   command
       .add_option("--prepare-ms", arguments->prepare_ms,
                   "Longest time for growing the roadmap at first (30000)")

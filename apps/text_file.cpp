@@ -1,5 +1,7 @@
 #include "apps/text_file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -21,7 +23,8 @@ Expected<std::string> readText(const fs::path& file) {
   if (error)
     return fail(ErrorCode::kInvalidRequest, "cannot read \"" + file.string() + "\": " + error.message());
   if (size > kLargest_bytes)
-    return fail(ErrorCode::kInvalidRequest, file.string() + " is larger than 64 MB; give a plan file");
+    return fail(ErrorCode::kInvalidRequest,
+                file.string() + " is larger than 64 MB; give one that underway wrote");
   std::string text(size, '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
@@ -35,6 +38,19 @@ Expected<void> writeText(const fs::path& file, std::string_view text) {
   stream.close();
   if (stream) return {};
   return fail(ErrorCode::kInternal, "cannot write \"" + file.string() + "\": " + lastReason());
+}
+
+Expected<void> replaceText(const fs::path& file, std::string_view text) {
+  const fs::path fresh = file.string() + ".new" + std::to_string(getpid());
+  std::error_code error;
+  Expected<void> written = writeText(fresh, text);
+  if (written) {
+    fs::rename(fresh, file, error);
+    if (error)
+      written = fail(ErrorCode::kInternal, "cannot write \"" + file.string() + "\": " + error.message());
+  }
+  if (!written) fs::remove(fresh, error);
+  return written;
 }
 
 Expected<void> writeOutput(std::string_view text) {

@@ -13,6 +13,9 @@ namespace underway {
 
 /// Errors: kInternal, one sentence with the file and the system's reason.
 [[nodiscard]] Expected<void> writeText(const std::filesystem::path& file, std::string_view text);
+/// The same, all at once: whoever reads the file meanwhile, or after a crash, sees the old one or the new
+/// one.
+[[nodiscard]] Expected<void> replaceText(const std::filesystem::path& file, std::string_view text);
 /// To standard output, which may be a full disk or a closed pipe. Errors: kInternal.
 [[nodiscard]] Expected<void> writeOutput(std::string_view text);
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <utility>
+
+#include "planner/arrange.hpp"
 
 namespace underway {
 
@@ -89,7 +90,6 @@ std::optional<Roadmap> Draft::freeze(std::span<const underway::Legs> legs, Inter
   for (PlaceId place = 0; place < places_.size(); ++place) {
     if (interrupt.isDue()) return std::nullopt;
     Roadmap::Place& here = roadmap.places[place];
-    here.turns_freely = legs[here.group].turnsFreely(here.at, here.keep_m);
     here.first_link = static_cast<LinkId>(roadmap.links.size());
     forEachLinkFrom(place, [&](LinkId link) {
       renumbered[link] = static_cast<LinkId>(roadmap.links.size());
@@ -98,35 +98,19 @@ std::optional<Roadmap> Draft::freeze(std::span<const underway::Legs> legs, Inter
     });
     here.end_link = static_cast<LinkId>(roadmap.links.size());
   }
-  roadmap.first_in.assign(places_.size() + 1, 0);
-  for (Roadmap::Link& link : roadmap.links) {
+  for (Roadmap::Link& link : roadmap.links)
     if (link.twin != Roadmap::kNone) link.twin = renumbered[link.twin];
-    if (link.crossing != Roadmap::kNone) ++roadmap.first_in[link.to + 1];
-  }
-  std::partial_sum(roadmap.first_in.begin(), roadmap.first_in.end(), roadmap.first_in.begin());
-  roadmap.crossings_in.resize(roadmap.first_in.back());
-  std::vector<std::uint32_t> next(roadmap.first_in.begin(), roadmap.first_in.end() - 1);
-  for (LinkId link = 0; link < roadmap.links.size(); ++link)
-    if (roadmap.links[link].crossing != Roadmap::kNone)
-      roadmap.crossings_in[next[roadmap.links[link].to]++] = link;
-  indexPlaces(roadmap);
-  roadmap.count();
+  arrange(roadmap, legs);
   return roadmap;
 }
 
-void Draft::indexPlaces(Roadmap& roadmap) const {
-  constexpr std::uint32_t kSmallPart = 12;
-  Draft forest = *this;
-  std::vector<std::uint32_t> count(places_.size(), 0);
-  for (PlaceId place = 0; place < places_.size(); ++place) ++count[forest.rootOf(place)];
-  std::vector<PlaceIndex::Entry> all;
-  std::vector<PlaceIndex::Entry> in_large_parts;
-  for (PlaceId id = 0; id < places_.size(); ++id) {
-    all.push_back({places_[id].at, places_[id].group, id});
-    if (count[forest.rootOf(id)] >= kSmallPart) in_large_parts.push_back(all.back());
-  }
-  roadmap.index = PlaceIndex(std::move(all));
-  roadmap.main_index = PlaceIndex(std::move(in_large_parts));
+Draft Draft::thawed(const Roadmap& roadmap) {
+  Draft draft;
+  for (const Roadmap::Place& place : roadmap.places) draft.addPlace(place.group, place.at, place.keep_m);
+  draft.crossings_ = roadmap.crossings;
+  // Links get the numbers they have: twins find each other, and each place's stay in their order.
+  for (LinkId id = 0; id < roadmap.links.size(); ++id) draft.addLink(roadmap.links[id], roadmap.ways[id], true);
+  return draft;
 }
 
 }  // namespace underway

@@ -80,6 +80,9 @@ class Draft {
       if (ways_[id] != 0) join(links_[id].from, links_[id].to);
   }
 
+  /// A draft that goes on from a frozen roadmap: freezing it at once gives the same roadmap, bit for bit, and so
+  /// does adding to it what was added to the draft that the roadmap came from.
+  [[nodiscard]] static Draft thawed(const Roadmap& roadmap);
   /// The roadmap, for a draft without a base whose links are all checked; empty when interrupted. `legs`: by
   /// group.
   [[nodiscard]] std::optional<Roadmap> freeze(std::span<const underway::Legs> legs,
@@ -94,7 +97,6 @@ class Draft {
   LinkId addLink(const Roadmap::Link& link, Ways ways, bool is_checked);
   void join(PlaceId a, PlaceId b);
   [[nodiscard]] PlaceId rootOf(PlaceId place);
-  void indexPlaces(Roadmap& roadmap) const;
 
   const Roadmap* base_;
   PlaceId first_place_;

@@ -242,6 +242,17 @@ Roadmap Growth::freeze() const {
   return *freeze(never);
 }
 
+void Growth::takeOver(const Roadmap& roadmap) {
+  state_->steps.clear();
+  state_->draft = Draft::thawed(roadmap);
+  state_->batches = roadmap.batches;
+  // All places of whole batches have been connected. What is found nearest does not depend on how the tree came
+  // about.
+  for (auto& near_group : state_->near) near_group.clear();
+  for (PlaceId place = 0; place < roadmap.places.size(); ++place)
+    state_->near[roadmap.places[place].group].add({place, roadmap.places[place].at});
+}
+
 void Growth::moveTo(std::shared_ptr<const Checker> checker) {
   state_->standOn(std::move(checker));
   state_->draft.revalidate([&](Roadmap::LinkId id) {

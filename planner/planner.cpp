@@ -100,15 +100,37 @@ struct Planner::State {
     return lock;
   }
 
+  Expected<Loaded> load(std::string_view bytes) {
+    const std::lock_guard lock(growing);
+    if (current().roadmap)
+      return fail(ErrorCode::kInvalidRequest, "there is a roadmap already: load one before the first plan");
+    followWorld();
+    const Checker& checker = *growth.checker();
+    const Expected<LoadedRoadmap> loaded =
+        underway::load(bytes, keyOf(checker, settings), Stances(checker, Policy::kFastest), checker);
+    if (!loaded) return tl::unexpected(loaded.error());
+    growth.takeOver(loaded->roadmap);
+    Interrupt never(Clock::time_point::max(), {});
+    publishGrowth(never);
+    return loaded->how;
+  }
+
+  [[nodiscard]] std::string save() const {
+    const Snapshot now = current();
+    return now.roadmap ? toBytes(*now.roadmap, keyOf(*now.planning->checker, settings)) : std::string{};
+  }
+
   /// Grows until the floor is covered or `growing_time` is due, and publishes that, unless there is a roadmap
-  /// already.
-  void cover(Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
-    if (current().roadmap) return;
+  /// already that is enough.
+  enum class Enough { kAny, kCovering };
+  void cover(Enough enough, Interrupt& growing_time, Interrupt& interrupt, const Progress& progress) {
+    if (enough == Enough::kAny && current().roadmap) return;
     const auto lock = turnToGrow(interrupt);
-    if (!lock || current().roadmap) return;
+    if (!lock || (enough == Enough::kAny && current().roadmap)) return;
     followWorld();
     const auto started = Clock::now();
     const std::uint32_t wanted = growth.batchesToCover();
+    if (current().roadmap && (growth.batches() >= wanted || growing_time.isDueNow())) return;
     do {
       if (!growth.addBatch(interrupt)) return;
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
@@ -152,12 +174,14 @@ Planner::~Planner() = default;
 
 std::shared_ptr<const Roadmap> Planner::roadmap() const { return state_->current().roadmap; }
 std::shared_ptr<const Checker> Planner::checker() const { return state_->current().planning->checker; }
+Expected<Loaded> Planner::load(std::string_view bytes) { return state_->load(bytes); }
+std::string Planner::save() const { return state_->save(); }
 Repair Planner::update(std::shared_ptr<const World> revision) { return state_->update(std::move(revision)); }
 
 void Planner::prepare(Clock::time_point deadline, const Progress& progress, const std::stop_token& stop) {
   Interrupt growing_time(deadline, stop);
   Interrupt interrupt(Clock::time_point::max(), stop);
-  state_->cover(growing_time, interrupt, progress);
+  state_->cover(State::Enough::kCovering, growing_time, interrupt, progress);
 }
 
 Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
@@ -177,7 +201,7 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   Interrupt interrupt(deadline, stop);
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
   Interrupt growing_time(started + (deadline - started) / 2, stop);
-  if (!interrupt.isDueNow()) state_->cover(growing_time, interrupt, progress);
+  if (!interrupt.isDueNow()) state_->cover(State::Enough::kAny, growing_time, interrupt, progress);
   Answer last;
   bool may_be_proven = proving == Proving::kYes;
   bool is_second_try = false;

@@ -4,11 +4,14 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
+#include <string_view>
 
 #include "geometry/checker.hpp"
 #include "planner/plan.hpp"
 #include "planner/repair.hpp"
 #include "planner/roadmap.hpp"
+#include "planner/roadmap_load.hpp"
 #include "planner/settings.hpp"
 
 namespace underway {
@@ -29,8 +32,15 @@ class Planner {
           GrowthSettings settings = {});
   ~Planner();
 
+  /// Takes a roadmap that `save` kept, in place of growing one: publishes it and grows on from it when a query
+  /// needs more. Every way of it is looked at anew, in the world as it is now. Errors: kInvalidRequest with a
+  /// sentence, for a file that does not fit or lies (roadmap_load.hpp), and when there is a roadmap already.
+  Expected<Loaded> load(std::string_view bytes);
+  /// The roadmap as it is now, with the world it is of, for `load`; empty before anything has grown.
+  [[nodiscard]] std::string save() const;
+
   /// Grows the roadmap until it covers the floor (GrowthSettings) or the deadline passes, and publishes what
-  /// has grown.
+  /// has grown. Goes on where it stopped, also after `load`.
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
   /// A certified plan, or why there is none: start or goal in collision or out of bounds, kNoPathExists with

@@ -99,6 +99,51 @@ TEST(Program, TheSameSeedGivesTheSamePlan) {
   EXPECT_EQ(segmentsOf(runProgram(words)), segmentsOf(runProgram(words)));
 }
 
+bool says(const Outcome& run, const std::string& part) {
+  return run.errors.find(part) != std::string::npos || (ADD_FAILURE() << run.errors, false);
+}
+
+TEST(Program, ARoadmapIsKeptFromOneRunToTheNext) {
+  const Folder folder;
+  const std::string file = folder.path("scenario3.roadmap");
+  const std::vector<std::string> words = planWords("under_the_table", {"--json", "-", "--roadmap", file});
+  const Outcome first = runProgram(words);
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_TRUE(says(first, ": saved, "));
+  const Outcome second = runProgram(words);
+  EXPECT_TRUE(says(second, ": loaded, "));
+  EXPECT_EQ(second.errors.find("saved"), std::string::npos) << second.errors;
+  EXPECT_EQ(Json::parse(first.output)["segments"], Json::parse(second.output)["segments"]);
+}
+
+TEST(Program, ARoadmapThatDoesNotFitIsGrownAnew) {
+  const Folder folder;
+  const std::string file = folder.path("scenario3.roadmap");
+  ASSERT_EQ(runProgram(planWords("under_the_table", {"--roadmap", file})).exit_code, 0);
+  const Outcome run = runProgram(planWords("under_the_table", {"--roadmap", file, "--seed", "5"}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(says(run, "refused, growing anew; the roadmap was grown with seed 1, not 5"));
+  EXPECT_TRUE(says(run, ": saved, "));
+
+  folder.write("scenario3.roadmap", readAll(file) + "more");
+  EXPECT_TRUE(says(runProgram(planWords("under_the_table", {"--roadmap", file})), "checksum is wrong"));
+}
+
+TEST(Program, AFileThatIsNoRoadmapIsNotWrittenOver) {
+  const Folder folder;
+  const std::string file = folder.write("mine.yaml", "name: mine\n");
+  const Outcome run = runProgram(planWords("under_the_table", {"--roadmap", file}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(says(run, "not written over"));
+  EXPECT_EQ(readAll(file), "name: mine\n");
+}
+
+TEST(Program, ARoadmapThatCannotBeWrittenIsNoReasonToFail) {
+  const Outcome run = runProgram(planWords("under_the_table", {"--roadmap", "/no/such/folder/a.roadmap"}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(says(run, "cannot write"));
+}
+
 TEST(Program, AQueryTellsTheStateOfEveryMode) {
   // Under the table: only the crawl fits.
   const Outcome run = runProgram({"query", "--map", kMap, "--pose", "4,2,0", "--json", "-"});
