@@ -66,7 +66,8 @@ class Answerer {
     return plan;
   }
 
-  [[nodiscard]] Pose nearest() const { return nearest_; }
+  /// Where a search that found nothing came nearest to the goal.
+  [[nodiscard]] const std::optional<Pose>& nearest() const { return nearest_; }
 
  private:
   std::optional<Plan> bestByPriority() {
@@ -104,8 +105,10 @@ class Answerer {
   }
 
   std::optional<Passage> passageBy(const Stances& stances) {
-    return search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_,
-                  &nearest_);
+    Pose reached;
+    auto passage = search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_, &reached);
+    if (!passage) nearest_ = reached;
+    return passage;
   }
 
   std::optional<Plan> planBy(const Stances& stances) {
@@ -139,7 +142,7 @@ class Answerer {
   Interrupt& interrupt_;
   LinkChecks checks_;
   Keeping keeping_;
-  Pose nearest_;
+  std::optional<Pose> nearest_;
 };
 
 /// What a certificate says of a plan that must not be given out.
@@ -154,29 +157,52 @@ double microsecondsSince(Interrupt::Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Interrupt::Clock::now() - start).count();
 }
 
+/// Answers with one effort; nothing when interrupted. The plan is empty when there is none or it has a fault,
+/// and `ended` is then the heading it ended at.
+std::optional<Answer> answerWith(const Planning& planning, const Roadmap& roadmap, const Request& request,
+                                 Effort effort, Interrupt& interrupt, double& ended) {
+  const auto started = Interrupt::Clock::now();
+  const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
+  if (!attached) return std::nullopt;
+  Answerer answerer(planning, request, *attached, interrupt);
+  Answer result;
+  result.plan = answerer.best();
+  result.nearest = answerer.nearest();
+  if (!result.plan) return result;
+  Plan& plan = *result.plan;
+  plan.revision = planning.checker->world().revision();
+  plan.stats = {
+      roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
+  const auto planned = Interrupt::Clock::now();
+  const std::vector<Flaw> flaws = certify(plan, request, *planning.checker);
+  plan.stats.certify_us = microsecondsSince(planned);
+  if (flaws.empty()) return result;
+  ended = plan.goal.yaw;
+  result.fault = faultOf(flaws.front());
+  result.plan.reset();
+  return result;
+}
+
 }  // namespace
 
 Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& request,
               Interrupt& interrupt) {
-  Answer result;
+  Answer last;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
-    const auto started = Interrupt::Clock::now();
-    const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
-    if (!attached) break;
-    Answerer answerer(planning, request, *attached, interrupt);
-    auto plan = answerer.best();
-    result.nearest = answerer.nearest();
-    if (!plan) continue;
-    plan->revision = planning.checker->world().revision();
-    plan->stats = {
-        roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
-    const auto planned = Interrupt::Clock::now();
-    const std::vector<Flaw> flaws = certify(*plan, request, *planning.checker);
-    plan->stats.certify_us = microsecondsSince(planned);
-    if (flaws.empty()) return {std::move(plan), std::nullopt, std::nullopt};
-    result.fault = faultOf(flaws.front());
+    double ended = 0.0;
+    auto result = answerWith(planning, roadmap, request, effort, interrupt, ended);
+    if (result && result->fault && !request.goal_yaw) {
+      // How close motions may come to a tight goal depends on the heading there, which was open: now it is known.
+      Request at_heading = request;
+      at_heading.goal_yaw = ended;
+      result = answerWith(planning, roadmap, at_heading, effort, interrupt, ended);
+    }
+    if (!result) break;
+    if (result->plan) return *std::move(result);
+    if (result->nearest) last.nearest = result->nearest;
+    if (result->fault) last.fault = result->fault;
   }
-  return result;
+  return last;
 }
 
 }  // namespace underway

@@ -44,7 +44,7 @@ std::optional<Movable> Movable::rebuilt(const Pose& line_from, double length_m) 
   for (std::size_t i = on; i-- > 0;) {
     const Switch& change = *robot.findSwitch(motions_[i].mode, motions_[i].to_mode);
     motions[i] = switchModes(change, before(low, change.displacement));
-    if (change.displacement.yaw == 0.0) motions[i].to.yaw = low.yaw;
+    motions[i].to.yaw = low.yaw;  // bit for bit: the line keeps its heading
     low = motions[i].from;
   }
   const Pose from = on > 0 ? motions[on - 1].to : line_from;
