@@ -36,7 +36,8 @@ struct View {
 };
 
 /// `body`: what the motion covers, or of a turn the body where it begins.
-std::optional<Layer::Neighbour> nearestTo(const View& view, const Prism& body, const Motion& motion, double cap_m) {
+std::optional<Layer::Neighbour> nearestTo(const View& view, const Prism& body, const Motion& motion,
+                                          double cap_m) {
   return isTurning(motion) ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m)
                            : view.seen.nearest(body, cap_m);
 }

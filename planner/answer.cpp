@@ -106,7 +106,8 @@ class Answerer {
 
   std::optional<Passage> passageBy(const Stances& stances) {
     Pose reached;
-    auto passage = search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_, &reached);
+    auto passage =
+        search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_, &reached);
     if (!passage) nearest_ = reached;
     return passage;
   }
@@ -165,22 +166,17 @@ std::optional<Answer> answerWith(const Planning& planning, const Roadmap& roadma
   const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
   if (!attached) return std::nullopt;
   Answerer answerer(planning, request, *attached, interrupt);
-  Answer result;
-  result.plan = answerer.best();
-  result.nearest = answerer.nearest();
-  if (!result.plan) return result;
-  Plan& plan = *result.plan;
-  plan.revision = planning.checker->world().revision();
-  plan.stats = {
+  std::optional<Plan> plan = answerer.best();
+  if (!plan) return Answer{std::nullopt, std::nullopt, answerer.nearest()};
+  plan->revision = planning.checker->world().revision();
+  plan->stats = {
       roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
   const auto planned = Interrupt::Clock::now();
-  const std::vector<Flaw> flaws = certify(plan, request, *planning.checker);
-  plan.stats.certify_us = microsecondsSince(planned);
-  if (flaws.empty()) return result;
-  ended = plan.goal.yaw;
-  result.fault = faultOf(flaws.front());
-  result.plan.reset();
-  return result;
+  const std::vector<Flaw> flaws = certify(*plan, request, *planning.checker);
+  plan->stats.certify_us = microsecondsSince(planned);
+  if (flaws.empty()) return Answer{std::move(plan), std::nullopt, std::nullopt};
+  ended = plan->goal.yaw;
+  return Answer{std::nullopt, faultOf(flaws.front()), answerer.nearest()};
 }
 
 }  // namespace
@@ -192,7 +188,8 @@ Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& r
     double ended = 0.0;
     auto result = answerWith(planning, roadmap, request, effort, interrupt, ended);
     if (result && result->fault && !request.goal_yaw) {
-      // How close motions may come to a tight goal depends on the heading there, which was open: now it is known.
+      // How close motions may come to a tight goal depends on the heading there, which was open: now it is
+      // known.
       Request at_heading = request;
       at_heading.goal_yaw = ended;
       result = answerWith(planning, roadmap, at_heading, effort, interrupt, ended);

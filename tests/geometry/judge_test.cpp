@@ -17,7 +17,8 @@ constexpr double kSlack_m = 3e-6;
 constexpr double kTurnSlack_m = 1.1e-4;
 
 std::shared_ptr<const World> worldOf(std::vector<Obstacle> obstacles) {
-  return std::make_shared<const World>(*World::make("random", {{-50, -50, 0}, 100, 100}, 0.0, std::move(obstacles)));
+  return std::make_shared<const World>(
+      *World::make("random", {{-50, -50, 0}, 100, 100}, 0.0, std::move(obstacles)));
 }
 
 double slackOf(const Motion& motion) { return motion.kind == MotionKind::kTurn ? kTurnSlack_m : kSlack_m; }
@@ -69,7 +70,7 @@ TEST(Judge, SeesWhatChangesOfTheWorldBroughtAndTook) {
   for (int round = 0; round < 200; ++round) {
     const auto i = static_cast<std::size_t>(random.oneOf(static_cast<int>(world->obstacles().size())));
     const std::string id = world->obstacles()[i].id;
-    auto changed = random.oneOf(3) == 0  ? world->moved(id, random.box(true))
+    auto changed = random.oneOf(3) == 0 ? world->moved(id, random.box(true))
                    : random.oneOf(2) == 0 && world->obstacles().size() > 4
                        ? world->removed(id)
                        : world->added({"new_" + std::to_string(round), random.box(true)});

@@ -29,7 +29,9 @@ class Regions {
  public:
   Region any() {
     static constexpr std::array kSizes_m{0.0, 1e-9, 0.01, 0.5, 0.5, 30.0, 1e5};
-    const auto size = [&] { return random.between(0.0, 1.0) * kSizes_m[static_cast<std::size_t>(random.oneOf(7))]; };
+    const auto size = [&] {
+      return random.between(0.0, 1.0) * kSizes_m[static_cast<std::size_t>(random.oneOf(7))];
+    };
     const Point at{random.between(-10, 10), random.between(-10, 10)};
     return {at.x, at.y, at.x + size(), at.y + size()};
   }
@@ -47,7 +49,8 @@ void expectAsLookingAtAll(Regions& draw, const std::vector<Region>& regions) {
   for (int i = 0; i < 40; ++i) {
     Region asked = draw.any();
     if (!regions.empty() && draw.random.oneOf(2) == 0)
-      asked = draw.touching(regions[static_cast<std::size_t>(draw.random.oneOf(static_cast<int>(regions.size())))]);
+      asked = draw.touching(
+          regions[static_cast<std::size_t>(draw.random.oneOf(static_cast<int>(regions.size())))]);
     ASSERT_EQ(visited(dut, asked), overlapping(regions, asked)) << "seed " << kSeed << " query " << i;
   }
   ASSERT_EQ(visited(dut, {-1e9, -1e9, 1e9, 1e9}).size(), regions.size());

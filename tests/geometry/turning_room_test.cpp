@@ -98,7 +98,8 @@ TEST(TurningRoom, EndsAtTheBoundsWhereverTheyAreTurned) {
     const Bounds bounds{corner, random.between(0.4, 2.0), random.between(0.4, 2.0)};
     const Checker dut(worldOf(bounds, {}), robot);
     const auto mode = static_cast<ModeId>(random.oneOf(3));
-    const Point at = transform(corner, {random.between(0.0, bounds.width_m), random.between(0.0, bounds.height_m)});
+    const Point at =
+        transform(corner, {random.between(0.0, bounds.width_m), random.between(0.0, bounds.height_m)});
     const Pose pose{at.x, at.y, random.angle()};
     if (!dut.isFree(stay(mode, pose))) continue;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " round " << round);

@@ -49,8 +49,11 @@ TEST(Groups, OfRandomRobotsHoldEveryModeOnceAndAreNumberedByTheirFirst) {
     for (std::size_t a = 0; a < count; ++a)
       for (std::size_t b = 0; b < count; ++b)
         if (a != b && random.oneOf(4) == 0)
-          switches.push_back({static_cast<ModeId>(a), static_cast<ModeId>(b), 1.0,
-                              random.oneOf(2) == 0 ? Pose{} : Pose{0.1, 0, 0}, {}});
+          switches.push_back({static_cast<ModeId>(a),
+                              static_cast<ModeId>(b),
+                              1.0,
+                              random.oneOf(2) == 0 ? Pose{} : Pose{0.1, 0, 0},
+                              {}});
     const Groups dut(robotOf(count, switches));
     std::multiset<ModeId> held;
     for (std::size_t g = 0; g < dut.modes.size(); ++g) {

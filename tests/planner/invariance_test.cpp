@@ -50,7 +50,8 @@ Question mirrored(Question question) {
 
 /// How a question is answered; the deadline is for what is neither solved nor proven.
 std::optional<ErrorCode> answerTo(const Question& question) {
-  const auto world = std::make_shared<const World>(*World::make("room", question.bounds, 0.0, question.obstacles));
+  const auto world =
+      std::make_shared<const World>(*World::make("room", question.bounds, 0.0, question.obstacles));
   Planner dut(world, test::smallRobot());
   const auto plan = dut.plan(question.request, Planner::Clock::now() + std::chrono::milliseconds(1500));
   return plan ? std::nullopt : std::optional(plan.error().code);
@@ -70,7 +71,8 @@ TEST(Answers, StayTheSameWhenWorldAndQueryAreMovedTurnedOrMirrored) {
     question.request.goal_mode = static_cast<ModeId>(random.oneOf(3));
     const auto as_it_is = answerTo(question);
     const Pose by{random.between(-100, 100), random.between(-100, 100), random.angle()};
-    for (const Question& other : {moved(question, {3.0, -2.0, 0.0}), moved(question, by), mirrored(question)}) {
+    for (const Question& other :
+         {moved(question, {3.0, -2.0, 0.0}), moved(question, by), mirrored(question)}) {
       const auto code = answerTo(other);
       if (code == ErrorCode::kTimeout || as_it_is == ErrorCode::kTimeout) {
         ++undecided;

@@ -16,7 +16,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const World> room(std::vector<Obstacle> obstacles = {}) {
-  return std::make_shared<const World>(*World::make("room", {{-9, -9, 0}, 18, 18}, 0.0, std::move(obstacles)));
+  return std::make_shared<const World>(
+      *World::make("room", {{-9, -9, 0}, 18, 18}, 0.0, std::move(obstacles)));
 }
 
 std::shared_ptr<const Robot> naoWith(const std::function<void(Robot&)>& change) {
@@ -170,7 +171,8 @@ TEST(Legs, ChangesThatAreSaidToBeFreeAreFreeMotionByMotionAndCostThat) {
       (route ? free : blocked) += 1;
       if (!route) continue;
       for (const Motion& motion : *route) ASSERT_TRUE(checker.isFree(motion, keep)) << name(motion.kind);
-      ASSERT_NEAR(static_cast<double>(costOf(*robot, Policy::kFastest, *route).us()), static_cast<double>(cost.us()), 8.0);
+      ASSERT_NEAR(static_cast<double>(costOf(*robot, Policy::kFastest, *route).us()),
+                  static_cast<double>(cost.us()), 8.0);
       if (!route->empty()) {
         ASSERT_EQ(route->back().to_mode, to.mode);
         ASSERT_EQ(route->front().from, (Pose{at.x, at.y, from.yaw}));

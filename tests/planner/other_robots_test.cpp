@@ -86,24 +86,27 @@ TEST(OtherRobots, OneThatCannotMoveTurnsAndOneThatCannotTurnGoesStraightOn) {
   const auto never_turns = naoWith([](Robot& r) {
     for (Mode& mode : r.modes) mode.turn_speed_radps = 0.0;
   });
-  expectSolved(room(), never_turns, requestFor({1, 2, 0.3}, {1 + 2 * std::cos(0.3), 2 + 2 * std::sin(0.3), 0.3}));
+  expectSolved(room(), never_turns,
+               requestFor({1, 2, 0.3}, {1 + 2 * std::cos(0.3), 2 + 2 * std::sin(0.3), 0.3}));
 }
 
-TEST(OtherRobots, OneWhoseSwitchesTurnItCrawlsUnderTheTableAndMayStayThere) {
+TEST(OtherRobots, OneWhoseSwitchesTurnItCrawlsUnderATableAndMayStayThere) {
   const auto robot = naoWith([](Robot& r) {
-    for (Switch& change : r.switches)
-      if (change.from == 2 || change.to == 2) change.displacement.yaw = 0.7, change.body_m = {};
-    for (Switch& change : r.switches)
-      if (change.from == 2 || change.to == 2) change.body_m = {{-0.5, 0.7}, {-0.5, 0.5}, {0.0, 0.585}};
+    for (Switch& change : r.switches) {
+      if (change.from != 2 && change.to != 2) continue;
+      change.displacement.yaw = 0.7;
+      change.body_m = {{-0.5, 0.7}, {-0.5, 0.5}, {0.0, 0.585}};
+    }
   });
-  expectSolved(test::ourWorld("scenario3"), robot, requestFor({0.6, 2, 0}, {5.4, 2, 0}));
+  const auto under = room({{"table", {{3.0, 2.0, 0.45}, {0.4, 4.0, 0.4}, {}}}});
   for (const Policy policy : {Policy::kPriority, Policy::kFastest, Policy::kSafest}) {
-    Request in = requestFor({0.6, 2, 0}, {4, 2, 0}, policy);
+    expectSolved(under, robot, requestFor({1, 2, 0}, {5, 2, 0}, policy));
+    Request in = requestFor({1, 2, 0}, {3, 2, 0}, policy);
     in.goal_mode = 2;
-    expectSolved(test::ourWorld("scenario3"), robot, in);
-    Request out = requestFor({4, 2, 0}, {5.4, 2, 0}, policy);
+    expectSolved(under, robot, in);
+    Request out = requestFor({3, 2, 0}, {5, 2, 0}, policy);
     out.start_mode = 2;
-    expectSolved(test::ourWorld("scenario3"), robot, out);
+    expectSolved(under, robot, out);
   }
 }
 

@@ -22,7 +22,8 @@ using WorldPointer = std::shared_ptr<const World>;
 WorldPointer shared(Expected<World> world) { return std::make_shared<const World>(*std::move(world)); }
 
 std::string anyId(test::RandomWorld& random, const World& world) {
-  return world.obstacles()[static_cast<std::size_t>(random.oneOf(static_cast<int>(world.obstacles().size())))].id;
+  return world.obstacles()[static_cast<std::size_t>(random.oneOf(static_cast<int>(world.obstacles().size())))]
+      .id;
 }
 
 WorldPointer withOneMore(test::RandomWorld& random, const World& world) {
@@ -69,7 +70,8 @@ TEST(Repair, FindsAsMuchAsLookingAtEverythingAgain) {
       const auto after = std::make_shared<const Checker>(checker->at(next));
       const Stances stances(*after, Policy::kFastest);
       Repair repair, all;
-      dut = repaired(*dut, index, stances, *after, Obstacles::changes(world->obstacles(), next->obstacles()), repair);
+      dut = repaired(*dut, index, stances, *after, Obstacles::changes(world->obstacles(), next->obstacles()),
+                     repair);
       SCOPED_TRACE(testing::Message() << "seed " << seed << " round " << round);
       expectSame(*dut, *revalidated(*dut, stances, *after, all));
       if (HasFatalFailure()) return;
@@ -88,7 +90,8 @@ Cost costBetween(const Roadmap& roadmap, const Checker& checker, Policy policy, 
   const Stances stances(checker, policy);
   LinkChecks checks(graph, checker);
   Interrupt never(soon(), {});
-  const auto passage = search(graph, stances, checker.robot(), checks, {from, {0.3, 0}, to, {-1.1, 0}, false}, never);
+  const auto passage =
+      search(graph, stances, checker.robot(), checks, {from, {0.3, 0}, to, {-1.1, 0}, false}, never);
   return passage ? passage->cost : Cost::most();
 }
 
@@ -105,8 +108,8 @@ TEST(Repair, NeverRaisesTheCostWhenAnObstacleGoesNorLowersItWhenOneComes) {
     const Checker after = checker->at(few);
     const Stances stances(after, Policy::kFastest);
     Repair repair;
-    const auto emptier =
-        repaired(crowded, index, stances, after, Obstacles::changes(many->obstacles(), few->obstacles()), repair);
+    const auto emptier = repaired(crowded, index, stances, after,
+                                  Obstacles::changes(many->obstacles(), few->obstacles()), repair);
     EXPECT_EQ(repair.closed, 0U);
     for (int i = 0; i < 30; ++i) {
       const auto place = [&] {
@@ -204,7 +207,8 @@ TEST(Update, LetsTheRoadmapGrowOnInTheNewWorld) {
   EXPECT_GE(dut.roadmap()->batches, before->batches);
   const Checker& checker = *dut.checker();
   Repair repair;
-  expectSame(*dut.roadmap(), *revalidated(*dut.roadmap(), Stances(checker, Policy::kFastest), checker, repair));
+  expectSame(*dut.roadmap(),
+             *revalidated(*dut.roadmap(), Stances(checker, Policy::kFastest), checker, repair));
 }
 
 TEST(Update, LeavesQueriesFromOtherThreadsInAWorldOfTheirOwn) {

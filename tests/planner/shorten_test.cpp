@@ -22,7 +22,8 @@ constexpr ModeId kCrawl = 2;
 /// A request on a roadmap, searched and shortened step by step, as an answer is.
 class Shortening {
  public:
-  Shortening(const std::shared_ptr<const World>& world, const std::shared_ptr<const Robot>& robot, unsigned batches)
+  Shortening(const std::shared_ptr<const World>& world, const std::shared_ptr<const Robot>& robot,
+             unsigned batches)
       : checker_(std::make_shared<const Checker>(world, robot)), fastest_(*checker_, Policy::kFastest) {
     Growth growth(checker_, {1, 3.0});
     for (unsigned i = 0; i < batches; ++i) growth.addBatch();
@@ -48,7 +49,8 @@ class Shortening {
   }
 
   /// That a request is answered, no dearer than it was found, with a plan that passes its certificate.
-  void expectGood(const Request& request, Policy policy, double at_least_m, bool must_be_solved = true) const {
+  void expectGood(const Request& request, Policy policy, double at_least_m,
+                  bool must_be_solved = true) const {
     const Stances stances(*checker_, policy, at_least_m);
     Interrupt never(soon(), {});
     const auto result = of(request, stances, never);
@@ -58,7 +60,8 @@ class Shortening {
     const Route route = joined(*checker_, routeOf(result->after));
     std::vector<Segment> segments;
     for (const Motion& motion : route)
-      segments.push_back({motion, duration(checker_->robot(), motion), checker_->closeness(motion, kClearanceCap_m)});
+      segments.push_back(
+          {motion, duration(checker_->robot(), motion), checker_->closeness(motion, kClearanceCap_m)});
     const Plan plan = timedPlan(std::move(segments), request.start);
     for (const Flaw& flaw : certify(plan, request, *checker_))
       ADD_FAILURE() << "segment " << flaw.segment << " " << flaw.sentence;
@@ -137,7 +140,8 @@ TEST(Shortened, StaysAsItWasWhenItIsInterruptedAtOnce) {
   std::stop_source stop;
   stop.request_stop();
   Interrupt stopped(soon(), stop.get_token());
-  EXPECT_EQ(dut.of(requestFor({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}), stances, stopped)->after.cost, result->before.cost);
+  EXPECT_EQ(dut.of(requestFor({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}), stances, stopped)->after.cost,
+            result->before.cost);
 }
 
 TEST(Shortened, EndsWithinMillisecondsOfItsDeadline) {
@@ -146,7 +150,9 @@ TEST(Shortened, EndsWithinMillisecondsOfItsDeadline) {
   test::RandomWorld random(1);
   const auto& bounds = dut.checker().world().bounds();
   for (int i = 0; i < 20; ++i) {
-    const auto any = [&] { return Pose{random.between(0, bounds.width_m), random.between(0, bounds.height_m), random.angle()}; };
+    const auto any = [&] {
+      return Pose{random.between(0, bounds.width_m), random.between(0, bounds.height_m), random.angle()};
+    };
     const Request request = requestFor(any(), any());
     if (!dut.checker().isFree(stay(0, request.start)) ||
         !dut.checker().isFree(stay(0, {request.goal.x, request.goal.y, *request.goal_yaw})))
