@@ -11,10 +11,12 @@
 namespace underway {
 namespace {
 
-// What either may be off by: the clearance told is up to 1 um below the truth, and the judge takes off 1 um;
-// in turns he takes off 0.1 mm.
-constexpr double kSlack_m = 3e-6;
-constexpr double kTurnSlack_m = 1.1e-4;
+// What either may be off by: the clearance told is up to 1 um below the truth, and the judge takes off 1 um
+// and, within 1 m, is up to 20 um too kind at corners: FCL's cylinders touch by iteration. In turns he takes
+// off 0.1 mm.
+constexpr double kSlack_m = 2e-5;
+constexpr double kFurthest_m = 1.0;  // that clearances are told to
+constexpr double kTurnSlack_m = 1.3e-4;
 
 std::shared_ptr<const World> worldOf(std::vector<Obstacle> obstacles) {
   return std::make_shared<const World>(
@@ -97,6 +99,7 @@ TEST(Judge, ComesWithinExactlyWhatTheReferenceMeasures) {
     if (shadow.size() < 3) continue;  // seen on edge or not at all: which, is a matter of nanometres
     const auto footprint = body.footprint();
     const double apart = bench::reference::distance({footprint.begin(), footprint.end()}, shadow);
+    if (apart > kFurthest_m) continue;
     ASSERT_TRUE(dut.comeWithin(body, apart + kSlack_m)) << apart;
     if (apart > kSlack_m) {
       ASSERT_FALSE(dut.comeWithin(body, apart - kSlack_m)) << apart;

@@ -16,6 +16,8 @@ constexpr double kRevolution = 2.0 * std::numbers::pi;
 constexpr double kBeyond_rad = 1e-5;
 /// What only grazes the body is met for certain by a body that is this much larger [m].
 constexpr double kGrazing_m = 1e-6;
+/// What comes within nanometres may be said to touch.
+constexpr double kContact_m = 1e-8;
 
 std::shared_ptr<const World> worldOf(const Bounds& bounds, std::vector<Obstacle> obstacles) {
   return std::make_shared<const World>(*World::make("random", bounds, 0.0, std::move(obstacles)));
@@ -32,8 +34,10 @@ void expectRoomIsTrue(const Checker& checker, ModeId mode, const Pose& at, doubl
     const double way = side > 0.0 ? room.left_rad : room.right_rad;
     ASSERT_GE(way, 0.0);
     ASSERT_LE(way, kRevolution);
-    ASSERT_TRUE(checker.isFree(turned(mode, at, side * way), margin_m)) << "all of the room, " << side * way;
-    ASSERT_TRUE(checker.isFree(turned(mode, at, side * 0.7 * way), margin_m)) << "less, " << side * way;
+    ASSERT_TRUE(checker.isFree(turned(mode, at, side * way), margin_m - kContact_m))
+        << "all of the room, " << side * way;
+    ASSERT_TRUE(checker.isFree(turned(mode, at, side * 0.7 * way), margin_m - kContact_m))
+        << "less, " << side * way;
     if (way + kBeyond_rad < kRevolution) {
       ASSERT_FALSE(checker.isFree(turned(mode, at, side * (way + kBeyond_rad)), margin_m + graze_m))
           << "more than the room, " << side * way;
@@ -60,7 +64,7 @@ TEST(TurningRoom, IsAsMuchAsIsFreeAndNoMore) {
       limited += room.left_rad < kRevolution ? 1 : 0;
     }
   }
-  EXPECT_GT(limited, 1000) << "too few cases in which there is anything to meet";
+  EXPECT_GT(limited, 300) << "too few cases in which there is anything to meet";
 }
 
 TEST(TurningRoom, IsTrueNanometresFromContact) {
