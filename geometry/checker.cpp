@@ -35,6 +35,13 @@ struct View {
       : slab(before.slab), seen(before.seen.changed(changes)), hanging(before.hanging.changed(changes)) {}
 };
 
+/// `body`: what the motion covers, or of a turn the body where it begins.
+std::optional<Layer::Neighbour> nearestTo(const View& view, const Prism& body, const Motion& motion,
+                                          double cap_m) {
+  return isTurning(motion) ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m)
+                           : view.seen.nearest(body, cap_m);
+}
+
 /// The bounds, ready to be asked often.
 class Fence {
  public:
@@ -241,17 +248,22 @@ Closeness Checker::closeness(const Motion& motion, double cap_m) const {
   if (!isFinite(motion)) return {};
   const View& view = engine_->view(motion);
   const Prism body = sweptBox(robot(), motion, view.slab);
-  const bool is_turning = isTurning(motion);
-  const auto nearest =
-      is_turning ? view.seen.nearest(Turning(body, motion.angle_rad), cap_m) : view.seen.nearest(body, cap_m);
+  const auto nearest = nearestTo(view, body, motion, cap_m);
   Closeness result{cap_m, std::nullopt, std::nullopt};
   if (nearest) {
     result.clearance_m = nearest->gap.distance_m;
     result.nearest = Nearest{nearest->piece->obstacle->id, nearest->gap.at};
   }
-  result.headroom_m =
-      is_turning ? headroomBelow(view.hanging, body, motion.angle_rad) : headroomBelow(view.hanging, body);
+  result.headroom_m = isTurning(motion) ? headroomBelow(view.hanging, body, motion.angle_rad)
+                                        : headroomBelow(view.hanging, body);
   return result;
+}
+
+double Checker::clearance(const Motion& motion, double cap_m) const {
+  if (!isFinite(motion)) return 0.0;
+  const View& view = engine_->view(motion);
+  const auto nearest = nearestTo(view, sweptBox(robot(), motion, view.slab), motion, cap_m);
+  return nearest ? nearest->gap.distance_m : cap_m;
 }
 
 std::vector<std::string> Checker::blockers(const Motion& motion, double margin_m, std::size_t most) const {

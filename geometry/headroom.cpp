@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <queue>
 
 #include "geometry/flatten.hpp"
 
@@ -29,25 +30,43 @@ class Lowest {
 double undersideOf(const OrientedBox& upright) { return upright.center_m.z - 0.5 * upright.size_m.z; }
 
 /// Branch and bound over the headings of a turn: within half an interval no point of the body moves further
-/// than reach times half the angle, so the grown body at the middle covers them all.
+/// than reach times half the angle, so the grown body at the middle covers them all. The interval that may be
+/// lowest comes first: below a steep box the others are many.
 class TurningLowest {
  public:
   TurningLowest(const OrientedBox& box, const Prism& body, double reach_m)
       : box_(box), body_(body), reach_m_(reach_m) {}
 
-  void search(double middle_rad, double half_rad) {
-    const double moved = reach_m_ * half_rad;
-    const auto bound = at(middle_rad, moved);
-    if (!bound || (lowest_.height() && *bound >= *lowest_.height())) return;
-    lowest_.include(at(middle_rad, 0.0));
-    if (moved < kFinest_m) return lowest_.include(bound);
-    search(middle_rad - 0.5 * half_rad, 0.5 * half_rad);
-    search(middle_rad + 0.5 * half_rad, 0.5 * half_rad);
+  [[nodiscard]] std::optional<double> over(double angle_rad) {
+    Lowest lowest;
+    open(0.5 * angle_rad, 0.5 * std::abs(angle_rad));
+    while (!open_.empty()) {
+      const Interval here = open_.top();
+      open_.pop();
+      if (lowest.height() && here.bound_m >= *lowest.height()) break;
+      if (reach_m_ * here.half_rad < kFinest_m) {
+        lowest.include(here.bound_m);
+        break;
+      }
+      lowest.include(at(here.middle_rad, 0.0));
+      open(here.middle_rad - 0.5 * here.half_rad, 0.5 * here.half_rad);
+      open(here.middle_rad + 0.5 * here.half_rad, 0.5 * here.half_rad);
+    }
+    return lowest.height();
   }
 
-  [[nodiscard]] const std::optional<double>& height() const { return lowest_.height(); }
-
  private:
+  struct Interval {
+    double bound_m;  // no heading in it meets anything lower
+    double middle_rad;
+    double half_rad;
+    bool operator<(const Interval& other) const { return bound_m > other.bound_m; }
+  };
+
+  void open(double middle_rad, double half_rad) {
+    if (const auto bound = at(middle_rad, reach_m_ * half_rad)) open_.push({*bound, middle_rad, half_rad});
+  }
+
   [[nodiscard]] std::optional<double> at(double turned_rad, double moved_m) const {
     Prism body = body_.grown(moved_m);
     body.frame.yaw += turned_rad;
@@ -57,7 +76,7 @@ class TurningLowest {
   const OrientedBox& box_;
   const Prism& body_;
   double reach_m_;
-  Lowest lowest_;
+  std::priority_queue<Interval> open_;
 };
 
 }  // namespace
@@ -82,9 +101,7 @@ std::optional<double> headroomBelow(const Layer& hanging, const Prism& body, dou
     if (isUpright(box)) {
       lowest.include(undersideOf(box));
     } else {
-      TurningLowest search(box, body, turning.outerRadius());
-      search.search(0.5 * angle, 0.5 * std::abs(angle));
-      lowest.include(search.height());
+      lowest.include(TurningLowest(box, body, turning.outerRadius()).over(angle));
     }
     return false;
   });

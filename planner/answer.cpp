@@ -70,7 +70,8 @@ class Answerer {
     return plan;
   }
 
-  [[nodiscard]] Pose nearest() const { return nearest_; }
+  /// Where a search that found nothing came nearest to the goal.
+  [[nodiscard]] const std::optional<Pose>& nearest() const { return nearest_; }
 
  private:
   /// What came of a search.
@@ -115,8 +116,11 @@ class Answerer {
   }
 
   std::optional<Passage> passageBy(const Stances& stances) {
-    return search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_,
-                  &nearest_);
+    Pose reached;
+    auto passage =
+        search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_, &reached);
+    if (!passage) nearest_ = reached;
+    return passage;
   }
 
   /// `similar`: found by another policy. Where both take the same way over the roadmap, shortening goes on from
@@ -163,7 +167,7 @@ class Answerer {
   Interrupt& interrupt_;
   LinkChecks checks_;
   Keeping keeping_;
-  Pose nearest_;
+  std::optional<Pose> nearest_;
 };
 
 /// What a certificate says of a plan that must not be given out.
@@ -178,30 +182,49 @@ double microsecondsSince(Interrupt::Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Interrupt::Clock::now() - start).count();
 }
 
+/// Answers with one effort; nothing when interrupted. The plan is empty when there is none or it has a fault,
+/// and `ended` is then the heading it ended at.
+std::optional<Answer> answerWith(const Planning& planning, const Roadmap& roadmap, const Request& request,
+                                 Effort effort, Interrupt& interrupt, double& ended) {
+  const auto started = Interrupt::Clock::now();
+  const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
+  if (!attached) return std::nullopt;
+  Answerer answerer(planning, request, *attached, interrupt);
+  std::optional<Plan> plan = answerer.best();
+  if (!plan) return Answer{std::nullopt, std::nullopt, answerer.nearest()};
+  plan->revision = planning.checker->world().revision();
+  plan->stats = {
+      roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
+  const auto planned = Interrupt::Clock::now();
+  const auto flaws = certify(*plan, request, *planning.checker, interrupt);
+  if (!flaws) return std::nullopt;
+  plan->stats.certify_us = microsecondsSince(planned);
+  if (flaws->empty()) return Answer{std::move(plan), std::nullopt, std::nullopt};
+  ended = plan->goal.yaw;
+  return Answer{std::nullopt, faultOf(flaws->front()), answerer.nearest()};
+}
+
 }  // namespace
 
 Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& request,
               Interrupt& interrupt) {
-  Answer result;
+  Answer last;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
-    const auto started = Interrupt::Clock::now();
-    const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
-    if (!attached) break;
-    Answerer answerer(planning, request, *attached, interrupt);
-    auto plan = answerer.best();
-    result.nearest = answerer.nearest();
-    if (!plan) continue;
-    plan->revision = planning.checker->world().revision();
-    plan->stats = {
-        roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
-    const auto planned = Interrupt::Clock::now();
-    const auto flaws = certify(*plan, request, *planning.checker, interrupt);
-    if (!flaws) break;
-    plan->stats.certify_us = microsecondsSince(planned);
-    if (flaws->empty()) return {std::move(plan), std::nullopt, std::nullopt};
-    result.fault = faultOf(flaws->front());
+    double ended = 0.0;
+    auto result = answerWith(planning, roadmap, request, effort, interrupt, ended);
+    if (result && result->fault && !request.goal_yaw) {
+      // How close motions may come to a tight goal depends on the heading there, which was open: now it is
+      // known.
+      Request at_heading = request;
+      at_heading.goal_yaw = ended;
+      result = answerWith(planning, roadmap, at_heading, effort, interrupt, ended);
+    }
+    if (!result) break;
+    if (result->plan) return *std::move(result);
+    if (result->nearest) last.nearest = result->nearest;
+    if (result->fault) last.fault = result->fault;
   }
-  return result;
+  return last;
 }
 
 }  // namespace underway

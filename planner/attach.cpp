@@ -91,9 +91,9 @@ class Attachment {
       return std::nullopt;
     for (const Sense sense : kSenses) {
       const double direction = start.pose.yaw + angleOf(sense);
-      const double way = std::cos(direction) * (goal.pose.x - start.pose.x) +
-                         std::sin(direction) * (goal.pose.y - start.pose.y);
-      if (!mode.canMove(sense) || way < 0.0) continue;
+      const double way = std::max(0.0, std::cos(direction) * (goal.pose.x - start.pose.x) +
+                                           std::sin(direction) * (goal.pose.y - start.pose.y));
+      if (!mode.canMove(sense)) continue;
       const Pose ahead = translate(start.mode, sense, start.pose, way).to;
       if (distance(ahead.position(), goal.pose.position()) <= kGoalTolerance_m) return ahead;
     }

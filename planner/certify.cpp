@@ -167,7 +167,7 @@ class Certificate {
   }
 
   [[nodiscard]] double standingClearance(ModeId mode, const Pose& pose) const {
-    return checker_.closeness(stay(mode, pose), robot_.margin_m).clearance_m;
+    return checker_.clearance(stay(mode, pose), robot_.margin_m);
   }
 
   void checkTotals() {

@@ -12,7 +12,7 @@ Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, PlaceId 
       stances_(stances),
       interrupt_(interrupt),
       start_(graph.place(start).at),
-      us_per_m_(1e6 / stances.highestSpeed()),
+      us_per_m_(stances.highestSpeed() > 0.0 ? 1e6 / stances.highestSpeed() : 0.0),  // 0: it only turns
       least_(graph.placeCount(), Cost::most()),
       is_settled_(graph.placeCount(), 0) {
   reach(goal, Cost());

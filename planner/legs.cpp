@@ -84,8 +84,6 @@ Legs::Change Legs::changeBetween(ModeId from, ModeId to) const {
       Change next = *best[change.from];
       next.via.push_back(change.to);
       next.cost = next.cost + costOf(robot_, policy_, switchModes(change, {}));
-      next.is_covered &= isWithin(change.body_m, robot_.modes[change.from].body_m) ||
-                         isWithin(change.body_m, robot_.modes[change.to].body_m);
       if (!best[change.to] || next.cost < best[change.to]->cost) best[change.to] = next;
     }
   }
@@ -94,7 +92,18 @@ Legs::Change Legs::changeBetween(ModeId from, ModeId to) const {
   result.turns_first = robot_.modes[from].turn_speed_radps >= robot_.modes[to].turn_speed_radps;
   const double speed = robot_.modes[result.turns_first ? from : to].turn_speed_radps;
   result.us_per_rad = speed > 0.0 ? 1e6 / speed : 0.0;
+  ModeId before = from;
+  for (const ModeId next : result.via) {
+    const Switch& change = *robot_.findSwitch(before, next);
+    result.is_covered &= isCoveredBy(change, from) || isCoveredBy(change, to);
+    before = next;
+  }
   return result;
+}
+
+bool Legs::isCoveredBy(const Switch& change, ModeId mode) const {
+  const double seen_m = std::min(robot_.modes[change.from].step_over_m, robot_.modes[change.to].step_over_m);
+  return isWithin(change.body_m, robot_.modes[mode].body_m) && robot_.modes[mode].step_over_m <= seen_m;
 }
 
 Cost Legs::legCost(const Way& way, double length_m) const {

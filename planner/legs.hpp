@@ -87,10 +87,12 @@ class Legs {
     Cost cost;                // of the switches
     double us_per_rad = 0.0;  // of turning
     bool turns_first = true;
-    bool is_covered = true;  // each switch keeps within the body of the mode before it or after it
+    bool is_covered = true;  // each switch is free where the first or the last mode's body is
   };
   [[nodiscard]] bool coverTheSame(const Way& a, const Way& b) const;
   [[nodiscard]] Change changeBetween(ModeId from, ModeId to) const;
+  /// Whether a switch keeps within a mode's body and sees nothing that the mode steps over.
+  [[nodiscard]] bool isCoveredBy(const Switch& change, ModeId mode) const;
   [[nodiscard]] double clearanceFor(double keep_m) const;
   [[nodiscard]] bool isFree(const Motion& motion, double keep_m) const;
   [[nodiscard]] std::optional<Route> changeBy(Point at, const Stance& from, const Stance& to,

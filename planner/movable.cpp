@@ -102,7 +102,7 @@ Movable Movable::withLine(std::size_t on, const Pose& from, double length_m) con
     if (rules_.is_start) break;
     const Switch& change = change_at(i);
     motions[i] = switchModes(change, before(low, change.displacement));
-    if (change.displacement.yaw == 0.0) motions[i].to.yaw = low.yaw;
+    motions[i].to.yaw = low.yaw;  // bit for bit: the line keeps its heading
     low = motions[i].from;
   }
   const Motion& old = motions_[on];

@@ -25,7 +25,7 @@ void Roadmap::count() {
 bool isFreeKeeping(const Checker& checker, const Motion& motion, double keep_m) {
   const double margin = checker.robot().margin_m;
   if (keep_m >= margin) return checker.isFree(motion, keep_m);
-  return checker.isFree(motion, 0.0) && checker.closeness(motion, margin).clearance_m >= keep_m - kRounding_m;
+  return checker.isFree(motion, 0.0) && checker.clearance(motion, margin) >= keep_m - kRounding_m;
 }
 
 double clearanceToKeep(const Checker& checker, ModeId mode, const Pose& pose) {
@@ -33,7 +33,7 @@ double clearanceToKeep(const Checker& checker, ModeId mode, const Pose& pose) {
   const Motion standing = stay(mode, pose);
   if (checker.isFree(standing, margin)) return margin;
   // A corner can be within the grown body and yet further than the margin: just below it, distances decide.
-  return std::min(checker.closeness(standing, margin).clearance_m, std::nextafter(margin, 0.0));
+  return std::min(checker.clearance(standing, margin), std::nextafter(margin, 0.0));
 }
 
 }  // namespace underway

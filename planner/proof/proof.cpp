@@ -107,7 +107,7 @@ double leastClearanceAtGoal(const Checker& checker, const Request& request, Inte
   const double cap = checker.robot().margin_m + kGoal_m + 0.1 * reach;
   const auto clearance = [&](double yaw, double within_rad) {
     const Pose pose{request.goal.x, request.goal.y, yaw};
-    return checker.closeness(stay(request.goal_mode, pose), cap).clearance_m - kGoal_m - within_rad * reach;
+    return checker.clearance(stay(request.goal_mode, pose), cap) - kGoal_m - within_rad * reach;
   };
   if (request.goal_yaw) return clearance(*request.goal_yaw, kGoal_rad);
   constexpr int kHeadings = 72;
@@ -122,7 +122,7 @@ double leastClearanceAtGoal(const Checker& checker, const Request& request, Inte
 
 double leastMargin(const Checker& checker, const Request& request, Interrupt& interrupt) {
   const double margin = checker.robot().margin_m;
-  const double at_start = checker.closeness(stay(request.start_mode, request.start), margin).clearance_m;
+  const double at_start = checker.clearance(stay(request.start_mode, request.start), margin);
   const double least = std::min(at_start, leastClearanceAtGoal(checker, request, interrupt)) - kRounding_m;
   return std::clamp(least, 0.0, margin);
 }

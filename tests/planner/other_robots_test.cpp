@@ -76,6 +76,62 @@ TEST(OtherRobots, OneThatClimbsACurbStepsOverIt) {
   expectSolved(room({curb}), robot, requestFor({1, 1, 0}, {5, 3, 1.0}));
 }
 
+TEST(OtherRobots, OneThatCannotMoveTurnsAndOneThatCannotTurnGoesStraightOn) {
+  const auto only_turns = naoWith([](Robot& r) {
+    r.modes.resize(1);
+    r.modes[0].speed_mps = {};
+    r.switches.clear();
+  });
+  expectSolved(room(), only_turns, requestFor({1, 2, 0}, {1, 2, 2.0}));
+  const auto never_turns = naoWith([](Robot& r) {
+    for (Mode& mode : r.modes) mode.turn_speed_radps = 0.0;
+  });
+  expectSolved(room(), never_turns,
+               requestFor({1, 2, 0.3}, {1 + 2 * std::cos(0.3), 2 + 2 * std::sin(0.3), 0.3}));
+}
+
+TEST(OtherRobots, OneWhoseSwitchesTurnItCrawlsUnderATableAndMayStayThere) {
+  const auto robot = naoWith([](Robot& r) {
+    for (Switch& change : r.switches) {
+      if (change.from != 2 && change.to != 2) continue;
+      change.displacement.yaw = 0.7;
+      change.body_m = {{-0.5, 0.7}, {-0.5, 0.5}, {0.0, 0.585}};
+    }
+  });
+  const auto under = room({{"table", {{3.0, 2.0, 0.45}, {0.4, 4.0, 0.4}, {}}}});
+  for (const Policy policy : {Policy::kPriority, Policy::kFastest, Policy::kSafest}) {
+    expectSolved(under, robot, requestFor({1, 2, 0}, {5, 2, 0}, policy));
+    Request in = requestFor({1, 2, 0}, {3, 2, 0}, policy);
+    in.goal_mode = 2;
+    expectSolved(under, robot, in);
+    Request out = requestFor({3, 2, 0}, {5, 2, 0}, policy);
+    out.start_mode = 2;
+    expectSolved(under, robot, out);
+  }
+}
+
+TEST(Ends, ACrawlIsThereAlreadyIfTheGoalIsWithinTheToleranceBehindIt) {
+  const Obstacle roof{"roof", {{3.0, 2.0, 0.35}, {6.0, 4.0, 0.2}, {}}};
+  for (const double behind : {0.0, 1e-9, 1e-7, 1e-3, 0.008}) {
+    Request request = requestFor({2, 2, 0}, {2 - behind, 2, 0});
+    request.start_mode = request.goal_mode = 2;
+    expectSolved(room({roof}), test::nao(), request);
+  }
+}
+
+TEST(Ends, ATightGoalIsReachedAtWhicheverHeadingIsLeftOpen) {
+  // The clearance at the goal depends on the heading there; what comes before it must keep that.
+  const double gap = 0.26 + 2 * 0.012;
+  const std::vector<Obstacle> slot{{"south", {{3.0, 1.0 - 0.5 * gap, 0.5}, {1.0, 2.0, 1.0}, {}}},
+                                   {"north", {{3.0, 3.0 + 0.5 * gap, 0.5}, {1.0, 2.0, 1.0}, {}}}};
+  Request request = requestFor({1, 2, 0}, {2.4, 2, 0});
+  request.goal_yaw.reset();
+  for (const double x : {2.3, 2.34, 2.36, 2.38}) {
+    request.goal.x = x;
+    expectSolved(room(slot), test::nao(), request);
+  }
+}
+
 TEST(Ends, GoalsWithoutAHeadingAreReachedInAModeThatCannotTurn) {
   Request request = requestFor({1, 2, 0}, {4, 2, 0});
   request.goal_yaw.reset();

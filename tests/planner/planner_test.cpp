@@ -173,15 +173,54 @@ TEST(Planner, RefusesWhatItCannotBeAsked) {
   EXPECT_EQ(code(request), ErrorCode::kInvalidRequest);
 }
 
-TEST(Planner, GivesUpAtTheDeadlineAndWhenCancelled) {
-  const auto dut = plannerFor("too_low");
-  Request request = requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0});
-  const auto late = dut->plan(request, Planner::Clock::now() + std::chrono::milliseconds(300));
-  ASSERT_FALSE(late.has_value());
-  EXPECT_EQ(late.error().code, ErrorCode::kTimeout);
+/// That no path exists, and that a person is told what is to blame.
+void expectNoPath(const char* map, const Request& request, const std::vector<const char*>& culprits) {
+  const auto plan = plannerFor(map)->plan(request, soon());
+  ASSERT_FALSE(plan.has_value()) << map;
+  EXPECT_EQ(plan.error().code, ErrorCode::kNoPathExists) << map << ": " << plan.error().message;
+  EXPECT_FALSE(plan.error().blocking.empty()) << map;
+  const bool is_named = std::any_of(culprits.begin(), culprits.end(), [&](const char* culprit) {
+    return plan.error().message.find(culprit) != std::string::npos;
+  });
+  EXPECT_TRUE(is_named) << map << ": " << plan.error().message;
+}
+
+TEST(Planner, SaysThatNoPathExistsAndWhatIsToBlame) {
+  const Request across = requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0});
+  expectNoPath("too_low", across, {"beam"});
+  Request crawling = across;
+  crawling.start_mode = crawling.goal_mode = kCrawl;
+  expectNoPath("too_low", crawling, {"beam"});
+  expectNoPath("too_narrow", across, {"narrow_south"});
+  Request any_heading = across;
+  any_heading.goal_yaw.reset();
+  expectNoPath("too_narrow", any_heading, {"narrow_south"});
+  const std::vector<const char*> pen{"pen_south", "pen_north", "pen_west", "pen_east"};
+  expectNoPath("walled_in", requestFor({0.8, 2.0, 0.0}, {3.0, 2.0, 0.0}), pen);
+  expectNoPath("walled_in", requestFor({3.0, 2.0, 0.0}, {0.8, 2.0, 3.1416}), pen);
+}
+
+TEST(Planner, GivesUpAtADeadlineThatIsFarTooShort) {
+  for (const bool has_roadmap : {false, true}) {
+    const auto dut = plannerFor("too_low");
+    if (has_roadmap) dut->prepare(soon());
+    for (const auto given : {-1000, 0, 100, 300}) {  // [us]
+      const auto begin = Planner::Clock::now();
+      const auto late =
+          dut->plan(requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0}), begin + std::chrono::microseconds(given));
+      ASSERT_FALSE(late.has_value());
+      EXPECT_EQ(late.error().code, ErrorCode::kTimeout) << given << " us: " << late.error().message;
+      EXPECT_LT(Planner::Clock::now() - begin, std::chrono::seconds(2)) << given << " us";
+    }
+  }
+}
+
+TEST(Planner, EndsWhenCancelled) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(dut->plan(request, soon(), stop.get_token()).error().code, ErrorCode::kCancelled);
+  const auto plan =
+      plannerFor("too_low")->plan(requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0}), soon(), stop.get_token());
+  EXPECT_EQ(plan.error().code, ErrorCode::kCancelled);
 }
 
 }  // namespace
