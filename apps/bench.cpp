@@ -13,8 +13,8 @@
 #include "bench/peer_queries.hpp"
 #include "bench/planner.hpp"
 #include "bench/planners.hpp"
-#include "bench/requests.hpp"
 #include "bench/refusals.hpp"
+#include "bench/requests.hpp"
 #include "bench/scenarios.hpp"
 
 namespace underway {

@@ -112,7 +112,8 @@ class Answerer {
   void takeSafer(Plan& plan) {
     const double clearance = largestClearance();
     if (clearance <= checker_.robot().margin_m) return;
-    if (const auto safest = find(Stances(checker_, Policy::kFastest, clearance))) takeIfBetter(plan, safest->plan);
+    if (const auto safest = find(Stances(checker_, Policy::kFastest, clearance)))
+      takeIfBetter(plan, safest->plan);
   }
 
   std::optional<Passage> passageBy(const Stances& stances) {
@@ -123,8 +124,8 @@ class Answerer {
     return passage;
   }
 
-  /// `similar`: found by another policy. Where both take the same way over the roadmap, shortening goes on from
-  /// there.
+  /// `similar`: found by another policy. Where both take the same way over the roadmap, shortening goes on
+  /// from there.
   std::optional<Found> find(const Stances& stances, const Found* similar = nullptr) {
     auto on_roadmap = passageBy(stances);
     if (!on_roadmap) return std::nullopt;
@@ -134,7 +135,8 @@ class Answerer {
     Passage shortest = shortened(checker_, stances, std::move(begin), keeping_, interrupt_);
     if (interrupt_.isDueNow()) return std::nullopt;
     const Route route = routeOf(shortest);
-    Plan plan = planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
+    Plan plan =
+        planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
     return Found{std::move(*on_roadmap), std::move(shortest), std::move(plan)};
   }
 

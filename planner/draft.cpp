@@ -109,7 +109,8 @@ Draft Draft::thawed(const Roadmap& roadmap) {
   for (const Roadmap::Place& place : roadmap.places) draft.addPlace(place.group, place.at, place.keep_m);
   draft.crossings_ = roadmap.crossings;
   // Links get the numbers they have: twins find each other, and each place's stay in their order.
-  for (LinkId id = 0; id < roadmap.links.size(); ++id) draft.addLink(roadmap.links[id], roadmap.ways[id], true);
+  for (LinkId id = 0; id < roadmap.links.size(); ++id)
+    draft.addLink(roadmap.links[id], roadmap.ways[id], true);
   return draft;
 }
 

@@ -80,8 +80,8 @@ class Draft {
       if (ways_[id] != 0) join(links_[id].from, links_[id].to);
   }
 
-  /// A draft that goes on from a frozen roadmap: freezing it at once gives the same roadmap, bit for bit, and so
-  /// does adding to it what was added to the draft that the roadmap came from.
+  /// A draft that goes on from a frozen roadmap: freezing it at once gives the same roadmap, bit for bit, and
+  /// so does adding to it what was added to the draft that the roadmap came from.
   [[nodiscard]] static Draft thawed(const Roadmap& roadmap);
   /// The roadmap, for a draft without a base whose links are all checked; empty when interrupted. `legs`: by
   /// group.

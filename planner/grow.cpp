@@ -25,7 +25,7 @@ using PlaceId = Draft::PlaceId;
 using Kind = PoseSampler::Kind;
 
 constexpr unsigned kSitesPerBatch = 24;
-constexpr unsigned kLinesPerBatch = 6;   // for each mode that is lower than the first
+constexpr unsigned kLinesPerBatch = 10;  // for each mode that is lower than the first
 constexpr unsigned kLooksPerBatch = 60;  // across gaps, for each narrower mode: most see none
 constexpr double kNarrow_m = 0.25;       // a gap with less room than this beside the standing body is narrow
 constexpr std::size_t kNeighbours = 40;  // looked at; Sites::connectAround tries few of them
@@ -246,8 +246,8 @@ void Growth::takeOver(const Roadmap& roadmap) {
   state_->steps.clear();
   state_->draft = Draft::thawed(roadmap);
   state_->batches = roadmap.batches;
-  // All places of whole batches have been connected. What is found nearest does not depend on how the tree came
-  // about.
+  // All places of whole batches have been connected. What is found nearest does not depend on how the tree
+  // came about.
   for (auto& near_group : state_->near) near_group.clear();
   for (PlaceId place = 0; place < roadmap.places.size(); ++place)
     state_->near[roadmap.places[place].group].add({place, roadmap.places[place].at});

@@ -29,8 +29,9 @@ class Growth {
   [[nodiscard]] std::optional<Roadmap> freeze(Interrupt& interrupt) const;
   [[nodiscard]] Roadmap freeze() const;
 
-  /// Goes on from a frozen roadmap as if all of it had grown here: the batches to come are those that would have
-  /// come after it. Its ways must be those that are free in checker()'s world. What has grown so far is dropped.
+  /// Goes on from a frozen roadmap as if all of it had grown here: the batches to come are those that would
+  /// have come after it. Its ways must be those that are free in checker()'s world. What has grown so far is
+  /// dropped.
   void takeOver(const Roadmap& roadmap);
 
   /// Goes on in another revision of the world; what has grown is looked at again.

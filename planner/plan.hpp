@@ -57,9 +57,9 @@ struct PlanStats {
 /// free.
 struct Plan {
   std::vector<Segment> segments;
-  double total_time_s = 0.0;   ///< sum of the durations
-  double length_m = 0.0;       ///< sum of the translated lengths
-  Pose goal;                   ///< where it ends, in the goal's mode
+  double total_time_s = 0.0;  ///< sum of the durations
+  double length_m = 0.0;      ///< sum of the translated lengths
+  Pose goal;                  ///< where it ends, in the goal's mode
   PlanStats stats;
   std::uint64_t revision = 0;  ///< of the world it was made in
 };

@@ -32,9 +32,10 @@ class Planner {
           GrowthSettings settings = {});
   ~Planner();
 
-  /// Takes a roadmap that `save` kept, in place of growing one: publishes it and grows on from it when a query
-  /// needs more. Every way of it is looked at anew, in the world as it is now. Errors: kInvalidRequest with a
-  /// sentence, for a file that does not fit or lies (roadmap_load.hpp), and when there is a roadmap already.
+  /// Takes a roadmap that `save` kept, in place of growing one: publishes it and grows on from it when a
+  /// query needs more. Every way of it is looked at anew, in the world as it is now. Errors: kInvalidRequest
+  /// with a sentence, for a file that does not fit or lies (roadmap_load.hpp), and when there is a roadmap
+  /// already.
   Expected<Loaded> load(std::string_view bytes);
   /// The roadmap as it is now, with the world it is of, for `load`; empty before anything has grown.
   [[nodiscard]] std::string save() const;

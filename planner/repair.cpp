@@ -180,17 +180,29 @@ std::shared_ptr<const Roadmap> repaired(const Roadmap& before, const LinkIndex& 
   Recheck recheck(before, stances, after, repair);
   std::vector<char> is_done(before.places.size() + before.links.size(), 0);
   const auto once = [&](std::size_t entry) { return std::exchange(is_done[entry], 1) == 0; };
-  for (const Obstacles::Change& change : changes)
-    for (const Obstacles::Pointer& obstacle : {change.before, change.after})
-      if (obstacle)
-        index.visit(
-            before, obstacle->box,
-            [&](LinkId id) {
-              if (once(before.places.size() + id)) recheck.link(id);
-            },
-            [&](PlaceId id) {
-              if (once(id)) recheck.place(id);
-            });
+  // What has gone can only open what was closed, what has come only close what was open.
+  const auto may_change = [&](LinkId id, bool is_gone) {
+    const Roadmap::Ways ways = before.ways[id];
+    const LinkId twin = before.links[id].twin;
+    const Roadmap::Ways back = twin == Roadmap::kNone ? ways : before.ways[twin];
+    if (!is_gone) return ways != 0 || back != 0;
+    return ways != before.links[id].tried || (twin != Roadmap::kNone && back != before.links[twin].tried);
+  };
+  const auto look = [&](const Obstacles::Pointer& obstacle, bool is_gone) {
+    if (!obstacle) return;
+    index.visit(
+        before, obstacle->box,
+        [&](LinkId id) {
+          if (may_change(id, is_gone) && once(before.places.size() + id)) recheck.link(id);
+        },
+        [&](PlaceId id) {
+          if (before.places[id].turns_freely != is_gone && once(id)) recheck.place(id);
+        });
+  };
+  for (const Obstacles::Change& change : changes) {
+    look(change.before, true);
+    look(change.after, false);
+  }
   return recheck.result();
 }
 

@@ -119,7 +119,8 @@ TEST_P(SearchIn, CostsWhatRelaxingEveryWayFinds) {
       const Cost least = slow.costTo(goal);
       ASSERT_EQ(dut.has_value(), least != Cost::most()) << "place " << place;
       // Turns near contact may be told apart by 1e-7 rad; the order of sums is the same.
-      if (dut) ASSERT_EQ(dut->cost, least) << "place " << place;
+      if (!dut) continue;
+      ASSERT_EQ(dut->cost, least) << "place " << place;
     }
   }
 }

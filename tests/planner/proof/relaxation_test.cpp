@@ -147,9 +147,9 @@ TEST(Relaxation, LeavesTheWayOfAPlanOpenHoweverSmallItsCellsAre) {
     if (!plan) continue;
     ++plans;
     Interrupt interrupt(test::soon(), {});
-    Relaxation dut(planner.checker(), room.request, leastMargin(planner.checker(), room.request, interrupt),
+    Relaxation dut(*planner.checker(), room.request, leastMargin(*planner.checker(), room.request, interrupt),
                    interrupt);
-    const PlanTracer tracer(*plan, planner.checker(), dut);
+    const PlanTracer tracer(*plan, *planner.checker(), dut);
     for (int round = 0; round < 18; ++round)
       for (const Relaxation::Place& place : tracer.places(30, 0.0))
         if (const auto axis = static_cast<std::size_t>(random.oneOf(3)); dut.canSplit(place, axis))
