@@ -5,46 +5,14 @@
 #include <optional>
 
 #include "planner/guide.hpp"
+#include "planner/state_table.hpp"
 
 namespace underway {
 namespace {
 
 using LinkId = Roadmap::LinkId;
 using PlaceId = Roadmap::PlaceId;
-using StateId = std::uint32_t;
-
-/// What is known about a state: a pose in a mode, come to by a way of a link; the first is the start.
-struct State {
-  Cost cost = Cost::most();
-  StateId parent = Roadmap::kNone;
-  StateId left_before = Roadmap::kNone;  // the state that was left before it at the same place
-  std::uint32_t room = Roadmap::kNone;   // how far it can turn, if that is known
-  std::uint32_t search : 31 = 0;         // the search that wrote this: what another one did counts as nothing
-  std::uint32_t is_settled : 1 = 0;
-};
-
-/// The states of a thread's searches, one after the other: to clear them each time would take longer than
-/// most searches.
-class StateTable {
- public:
-  void begin(std::size_t count) {
-    if (states_.size() < count) states_.resize(count);
-    search_ = (search_ + 1) & 0x7fffffff;
-    if (search_ == 0) std::fill(states_.begin(), states_.end(), State()), search_ = 1;
-  }
-  State& operator[](StateId id) {
-    State& state = states_[id];
-    if (state.search != search_) {
-      state = State();
-      state.search = search_;
-    }
-    return state;
-  }
-
- private:
-  std::vector<State> states_;
-  std::uint32_t search_ : 31 = 0;
-};
+using StateId = StateTable::Id;
 
 struct Open {
   Cost bound;  // cost so far plus the least that is left
@@ -134,7 +102,7 @@ class Search {
   }
 
   void arrive(StateId state, StateId parent, Cost cost, Cost left) {
-    State& at = states_[state];
+    SearchState& at = states_[state];
     if (at.is_settled != 0 || cost >= at.cost || left == Cost::most()) return;
     at.cost = cost;
     at.parent = parent;
@@ -182,7 +150,7 @@ class Search {
       }
       for (std::size_t way = 0; ways >> way != 0; ++way) {
         if ((ways >> way & 1U) == 0) continue;
-        const State& known = states_[stateOf(id, way)];
+        const SearchState& known = states_[stateOf(id, way)];
         if (known.is_settled != 0) continue;
         const Cost leg = legs.legCost(legs.ways()[way], link.length_m);
         if (cost + leg >= known.cost) continue;
@@ -202,7 +170,7 @@ class Search {
                                 const Stance& to) {
     const Roadmap::Place& at = graph_.place(place);
     if (at.turns_freely && stances_.atLeast() <= robot_.margin_m) return legs.changeCost(from, to);
-    State& state = states_[here];
+    SearchState& state = states_[here];
     if (state.room == Roadmap::kNone) {
       state.room = static_cast<std::uint32_t>(rooms_.size());
       rooms_.push_back(legs.roomAt(at.at, from, at.keep_m));
