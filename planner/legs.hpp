@@ -35,6 +35,9 @@ class Legs {
 
   [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
   [[nodiscard]] bool has(ModeId mode) const;
+  /// Whether all modes have one body and change within it: then what a stance can change into is a matter of
+  /// turning alone.
+  [[nodiscard]] bool areAlike() const { return are_alike_; }
   [[nodiscard]] double atLeast() const { return at_least_m_; }
   /// The way back along a leg at the same heading, if its mode has that sense.
   [[nodiscard]] std::optional<std::size_t> opposite(std::size_t way) const { return opposite_[way]; }

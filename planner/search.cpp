@@ -116,6 +116,8 @@ class Search {
     const PlaceId place = placeOf(here);
     const Stance stance = stanceOf(here);
     const Legs& legs = legsAt(place);
+    // Where switches need room, what can be reached by way of this stance may not be in one change.
+    if (!legs.areAlike()) return false;
     for (StateId other = left_last_[place]; other != Roadmap::kNone; other = states_[other].left_before) {
       const Stance from = stanceOf(other);
       if (states_[other].cost > states_[here].cost) continue;

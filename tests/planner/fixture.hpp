@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/map.hpp"
+#include "planner/grow.hpp"
 #include "planner/planner.hpp"
 
 namespace underway::test {
@@ -29,6 +30,13 @@ inline Request requestFor(const Pose& start, const Pose& goal, Policy policy = P
   request.goal_yaw = goal.yaw;
   request.policy = policy;
   return request;
+}
+
+/// A roadmap of so many batches.
+inline Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed, unsigned batches) {
+  Growth growth(checker, {seed, 3.0});
+  for (unsigned i = 0; i < batches; ++i) growth.addBatch();
+  return growth.freeze();
 }
 
 /// Metres a plan moves in a mode.

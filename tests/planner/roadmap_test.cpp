@@ -4,18 +4,11 @@
 
 #include <cmath>
 
-#include "planner/grow.hpp"
 #include "planner/stances.hpp"
 #include "tests/planner/fixture.hpp"
 
 namespace underway {
 namespace {
-
-Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed, unsigned batches) {
-  Growth growth(checker, {seed, 3.0});
-  for (unsigned i = 0; i < batches; ++i) growth.addBatch();
-  return growth.freeze();
-}
 
 class GrownRoadmap : public ::testing::TestWithParam<const char*> {
  protected:
@@ -23,7 +16,7 @@ class GrownRoadmap : public ::testing::TestWithParam<const char*> {
       std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
   const Checker& checker = *shared;
   Stances stances{checker, Policy::kFastest};
-  Roadmap dut = grown(shared, 1, 3);
+  Roadmap dut = test::grown(shared, 1, 3);
 
   const Legs& legsOf(const Roadmap::Link& link) { return stances.ofGroup(dut.places[link.from].group); }
 };
@@ -74,7 +67,7 @@ TEST_P(GrownRoadmap, HasCrossingsThatBeginAndEndAtTheirPlaces) {
 }
 
 TEST_P(GrownRoadmap, IsTheSameForTheSameSeedAndBatchesAndAnotherForAnotherSeed) {
-  const Roadmap again = grown(shared, 1, 3);
+  const Roadmap again = test::grown(shared, 1, 3);
   ASSERT_EQ(again.places.size(), dut.places.size());
   ASSERT_EQ(again.links.size(), dut.links.size());
   EXPECT_EQ(again.ways, dut.ways);
@@ -83,7 +76,7 @@ TEST_P(GrownRoadmap, IsTheSameForTheSameSeedAndBatchesAndAnotherForAnotherSeed) 
     ASSERT_EQ(again.links[i].to, dut.links[i].to);
     ASSERT_EQ(again.links[i].direction_rad, dut.links[i].direction_rad);
   }
-  EXPECT_NE(grown(shared, 2, 3).links.size(), dut.links.size());
+  EXPECT_NE(test::grown(shared, 2, 3).links.size(), dut.links.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(OurMaps, GrownRoadmap,

@@ -5,18 +5,11 @@
 #include <map>
 #include <random>
 
-#include "planner/grow.hpp"
 #include "planner/guide.hpp"
 #include "tests/planner/fixture.hpp"
 
 namespace underway {
 namespace {
-
-Roadmap grown(const std::shared_ptr<const Checker>& checker, std::uint64_t seed, unsigned batches) {
-  Growth growth(checker, {seed, 3.0});
-  for (unsigned i = 0; i < batches; ++i) growth.addBatch();
-  return growth.freeze();
-}
 
 /// A pose in a mode on a roadmap: where a link's way leads to.
 struct Posed {
@@ -101,7 +94,7 @@ class SearchIn : public ::testing::TestWithParam<const char*> {
   std::shared_ptr<const Checker> shared =
       std::make_shared<const Checker>(test::ourWorld(GetParam()), test::nao());
   const Checker& checker = *shared;
-  Roadmap roadmap = grown(shared, 5, 2);
+  Roadmap roadmap = test::grown(shared, 5, 2);
 };
 
 TEST_P(SearchIn, CostsWhatRelaxingEveryWayFinds) {
@@ -162,6 +155,30 @@ TEST_P(SearchIn, CostsNoLessWithLinksClosedAndNoMoreWithThemOpenAgain) {
     if (dut) {
       ASSERT_TRUE(open.has_value());
       ASSERT_LE(open->cost, dut->cost);
+    }
+  }
+}
+
+/// Turning on does not help such a robot where it cannot switch: what one arrival can reach another cannot, even
+/// if it can turn there.
+TEST(Search, LosesNoWayOfARobotWhoseSwitchesNeedRoom) {
+  Robot robot = *test::nao();
+  for (Switch& change : robot.switches)
+    if (change.displacement == Pose{}) change.body_m = {{-0.3, 0.5}, {-0.2, 0.2}, {0.0, 0.585}};
+  const auto shared =
+      std::make_shared<const Checker>(test::ourWorld("scenario2a"), std::make_shared<const Robot>(robot));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Roadmap roadmap = test::grown(shared, seed, 2);
+    const Draft graph(&roadmap);
+    Interrupt never(test::soon(), {});
+    const Stances stances(*shared, Policy::kFastest);
+    LinkChecks checks(graph, *shared);
+    const Relaxed slow(*shared, roadmap, stances, {0, {0.3, 0}});
+    for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 3) {
+      const Target target{0, {0.3, 0}, place, {-1.1, 1}, false};
+      const auto dut = search(graph, stances, robot, checks, target, never);
+      const Cost least = slow.costTo({place, {-1.1, 1}});
+      ASSERT_EQ(dut ? dut->cost : Cost::most(), least) << "seed " << seed << " place " << place;
     }
   }
 }
