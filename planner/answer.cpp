@@ -22,12 +22,6 @@ Plan planOf(const Checker& checker, const Route& route, const Pose& start) {
   return timedPlan(std::move(segments), start);
 }
 
-double leastClearance(const Plan& plan) {
-  double least = kEnoughClearance_m;
-  for (const Segment& segment : plan.segments) least = std::min(least, segment.closeness.clearance_m);
-  return least;
-}
-
 Cost priorityOf(const Robot& robot, const Plan& plan) {
   Cost sum;
   for (const Segment& segment : plan.segments) sum = sum + costOf(robot, Policy::kPriority, segment.motion);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "planner/cost.hpp"
 #include "planner/route.hpp"
 
@@ -21,6 +23,10 @@ struct Crossing {
   [[nodiscard]] const Pose& exit() const { return motions.back().to; }
   [[nodiscard]] ModeId entryMode() const { return motions.front().mode; }
   [[nodiscard]] ModeId exitMode() const { return motions.back().to_mode; }
+  [[nodiscard]] bool isFree(const Checker& checker) const {
+    return std::all_of(motions.begin(), motions.end(),
+                       [&](const Motion& motion) { return checker.isFree(motion); });
+  }
   [[nodiscard]] Cost cost(Policy policy) const {
     return policy == Policy::kPriority ? cost_by_priority : cost_of_time;
   }

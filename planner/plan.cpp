@@ -1,5 +1,6 @@
 #include "planner/plan.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace underway {
@@ -26,6 +27,12 @@ Plan timedPlan(std::vector<Segment> segments, const Pose& start) {
   }
   plan.segments = std::move(segments);
   return plan;
+}
+
+double leastClearance(const Plan& plan) {
+  double least = kEnoughClearance_m;
+  for (const Segment& segment : plan.segments) least = std::min(least, segment.closeness.clearance_m);
+  return least;
 }
 
 }  // namespace underway

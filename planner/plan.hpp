@@ -67,4 +67,7 @@ struct Plan {
 /// Durations and lengths summed over the segments.
 [[nodiscard]] Plan timedPlan(std::vector<Segment> segments, const Pose& start);
 
+/// The smallest clearance of all segments, kEnoughClearance_m at most [m].
+[[nodiscard]] double leastClearance(const Plan& plan);
+
 }  // namespace underway

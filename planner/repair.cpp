@@ -96,10 +96,7 @@ class Recheck {
     const Roadmap::Place& to = roadmap_->places[link.to];
     ++repair_.checked;
     if (link.crossing != Roadmap::kNone) {
-      const Route& motions = roadmap_->crossings[link.crossing].motions;
-      set(id, std::all_of(motions.begin(), motions.end(), [&](const Motion& m) { return checker_.isFree(m); })
-                  ? 1
-                  : 0);
+      set(id, roadmap_->crossings[link.crossing].isFree(checker_) ? 1 : 0);
       return;
     }
     const Legs& legs = stances_.ofGroup(from.group);

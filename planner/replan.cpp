@@ -37,12 +37,6 @@ double metresIn(const Plan& plan, ModeId mode) {
   return sum;
 }
 
-double leastClearance(const Plan& plan) {
-  double least = kEnoughClearance_m;
-  for (const Segment& segment : plan.segments) least = std::min(least, segment.closeness.clearance_m);
-  return least;
-}
-
 /// Whether one plan is better than another by what counts for the policy: more than 0 yes, less than 0 worse,
 /// 0 not by what comes before time.
 int comparedBeforeTime(const Plan& fresh, const Plan& old, const Request& request, const Robot& robot,

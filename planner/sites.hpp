@@ -50,11 +50,7 @@ template <class Graph>
   const Roadmap::Place& to = graph.place(link.to);
   if (link.crossing == Roadmap::kNone)
     return freeWays(stances.ofGroup(from.group), from.at, to.at, std::min(from.keep_m, to.keep_m), nullptr);
-  const Route& motions = graph.crossing(link).motions;
-  return std::all_of(motions.begin(), motions.end(),
-                     [&](const Motion& motion) { return checker.isFree(motion); })
-             ? 1
-             : 0;
+  return graph.crossing(link).isFree(checker) ? 1 : 0;
 }
 
 }  // namespace underway

@@ -75,12 +75,6 @@ TEST(Planner, GivesTheSamePlanForTheSameSeedAlsoFromTwoThreads) {
   }
 }
 
-double leastClearance(const Plan& plan) {
-  double least = kEnoughClearance_m;
-  for (const Segment& segment : plan.segments) least = std::min(least, segment.closeness.clearance_m);
-  return least;
-}
-
 TEST(Planner, KeepsTheLawsOfThePolicies) {
   for (const char* map : {"scenario2a", "scenario2b", "scenario3"}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
