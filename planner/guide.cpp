@@ -31,14 +31,6 @@ void Guide::reach(PlaceId place, Cost cost) {
   std::push_heap(open_.begin(), open_.end());
 }
 
-Cost Guide::cheapest(const Roadmap::Link& link, Roadmap::Ways ways) const {
-  const Legs& legs = stances_.ofGroup(graph_.place(link.from).group);
-  Cost least = Cost::most();
-  for (std::size_t way = 0; ways >> way != 0; ++way)
-    if ((ways >> way & 1U) != 0) least = std::min(least, legs.legCost(legs.ways()[way], link.length_m));
-  return least;
-}
-
 void Guide::settleNext() {
   const PlaceId here = open_.front().place;
   std::pop_heap(open_.begin(), open_.end());
@@ -50,7 +42,9 @@ void Guide::settleNext() {
     const Roadmap::Link& link = graph_.link(id);
     if (link.twin == Roadmap::kNone || is_settled_[link.to]) return;
     const Roadmap::Ways ways = graph_.ways(link.twin);
-    if (ways != 0) reach(link.to, cost + cheapest(graph_.link(link.twin), ways));
+    if (ways == 0) return;
+    const Legs& legs = stances_.ofGroup(graph_.place(link.to).group);
+    reach(link.to, cost + legs.cheapestLeg(ways, link.length_m));
   });
   graph_.forEachCrossingTo(here, [&](Roadmap::LinkId id) {
     if (graph_.ways(id) != 0)

@@ -31,7 +31,6 @@ class Guide {
   };
   void settleNext();
   void reach(Roadmap::PlaceId place, Cost cost);
-  [[nodiscard]] Cost cheapest(const Roadmap::Link& link, Roadmap::Ways ways) const;
 
   const Draft& graph_;
   const Stances& stances_;

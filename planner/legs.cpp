@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "planner/roadmap.hpp"
 
@@ -43,6 +44,13 @@ Legs::Legs(const Checker& checker, Policy policy, double at_least_m, std::vector
     opposite_.push_back(back == ways_.end() ? std::nullopt
                                             : std::optional<std::size_t>(back - ways_.begin()));
   }
+  by_cost_.resize(ways_.size());
+  std::iota(by_cost_.begin(), by_cost_.end(), std::size_t{0});
+  std::sort(by_cost_.begin(), by_cost_.end(), [&](std::size_t a, std::size_t b) {
+    const Cost cost_a = legCost(ways_[a], 1.0);
+    const Cost cost_b = legCost(ways_[b], 1.0);
+    return cost_a < cost_b || (cost_a == cost_b && a < b);
+  });
   for (const ModeId from : companions_)
     for (const ModeId to : companions_) changes_[from * robot_.modes.size() + to] = changeBetween(from, to);
   for (const ModeId from : companions_)
@@ -54,6 +62,17 @@ Legs::Legs(const Checker& checker, Policy policy, double at_least_m, std::vector
       if (const Cost cost = changeCost({0.0, from}, {std::numbers::pi, to}); cost != Cost::most())
         dearest_ = std::max(dearest_, cost);
     }
+}
+
+Cost Legs::cheapestLeg(std::uint32_t ways, double length_m) const {
+  constexpr double kCounts_m = 1e-3;  // shorter ones may round to no distance
+  if (length_m >= kCounts_m)
+    for (const std::size_t way : by_cost_)
+      if ((ways >> way & 1U) != 0) return legCost(ways_[way], length_m);
+  Cost least = Cost::most();
+  for (std::size_t way = 0; ways >> way != 0; ++way)
+    if ((ways >> way & 1U) != 0) least = std::min(least, legCost(ways_[way], length_m));
+  return least;
 }
 
 bool Legs::coverTheSame(const Way& a, const Way& b) const {

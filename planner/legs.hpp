@@ -52,6 +52,8 @@ class Legs {
 
   /// Of a translation [m].
   [[nodiscard]] Cost legCost(const Way& way, double length_m) const;
+  /// The least that a translation costs by any of some ways, of which there is one at least [m].
+  [[nodiscard]] Cost cheapestLeg(std::uint32_t ways, double length_m) const;
   /// Whether a translation from a stop is free; keep_m: what its ends ask for (roadmap.hpp: isFreeKeeping).
   [[nodiscard]] bool isLegFree(const Way& way, Point from, Point to, double yaw, double keep_m) const;
 
@@ -110,6 +112,7 @@ class Legs {
   std::vector<Way> ways_;
   std::vector<std::size_t> same_sweep_;               // by way
   std::vector<std::optional<std::size_t>> opposite_;  // by way
+  std::vector<std::size_t> by_cost_;  // ways, the cheapest first, at any length that is not next to nothing
   Cost dearest_;
   bool are_alike_ =
       true;  // all companions have one body, and changes of mode keep within it: room is all that matters

@@ -96,6 +96,10 @@ class Search {
     return checks_.isFree(link, wayOf(state), legsAt(graph_.link(link).from));
   }
 
+  [[nodiscard]] bool turnsFreely(PlaceId place) const {
+    return graph_.place(place).turns_freely && stances_.atLeast() <= robot_.margin_m;
+  }
+
   void notice(StateId state) {
     const double away_m = distance(graph_.place(placeOf(state)).at, graph_.place(target_.goal).at);
     if (away_m < nearest_m_) nearest_m_ = away_m, nearest_ = state;
@@ -104,6 +108,7 @@ class Search {
   void arrive(StateId state, StateId parent, Cost cost, Cost left) {
     SearchState& at = states_[state];
     if (at.is_settled != 0 || cost >= at.cost || left == Cost::most()) return;
+    if (cost + left >= states_[end_].cost && state != end_) return;
     at.cost = cost;
     at.parent = parent;
     open_.push_back({cost + left, state});
@@ -130,48 +135,76 @@ class Search {
     return false;
   }
 
+  /// The same of a stance that is to be come to, at a place where all turn freely, by states that have been
+  /// left.
+  bool isSurpassed(StateId last_left, const Legs& legs, const Stance& stance, Cost cost) {
+    for (StateId other = last_left; other != Roadmap::kNone; other = states_[other].left_before)
+      if (states_[other].cost + legs.changeCost(stanceOf(other), stance) <= cost) return true;
+    return false;
+  }
+
   void leave(StateId here) {
     const PlaceId place = placeOf(here);
     const Stance stance = stanceOf(here);
-    const Legs& legs = legsAt(place);
-    const Cost cost = states_[here].cost;
-    const auto change = [&](const Stance& to) { return freeChange(here, place, legs, stance, to); };
     graph_.forEachLinkFrom(place, [&](LinkId id) {
       const Roadmap::Ways ways = graph_.ways(id);
       if (ways == 0) return;
-      const Roadmap::Link& link = graph_.link(id);
-      if (link.crossing != Roadmap::kNone && states_[stateOf(id, 0)].is_settled != 0) return;
-      const Cost left = guide_.from(link.to);
-      if (left == Cost::most()) return;
-      if (link.crossing != Roadmap::kNone) {
-        const Crossing& crossing = graph_.crossing(link);
-        const Cost changed = change({crossing.entry().yaw, crossing.entryMode()});
-        if (changed != Cost::most())
-          arrive(stateOf(id, 0), here, cost + changed + crossing.cost(stances_.policy()), left);
-        return;
-      }
-      for (std::size_t way = 0; ways >> way != 0; ++way) {
-        if ((ways >> way & 1U) == 0) continue;
-        const SearchState& known = states_[stateOf(id, way)];
-        if (known.is_settled != 0) continue;
-        const Cost leg = legs.legCost(legs.ways()[way], link.length_m);
-        if (cost + leg >= known.cost) continue;
-        const Cost changed = change(legs.stanceOn(link.direction_rad, way));
-        if (changed != Cost::most()) arrive(stateOf(id, way), here, cost + changed + leg, left);
-      }
+      if (graph_.link(id).crossing != Roadmap::kNone)
+        cross(here, place, stance, id);
+      else
+        walk(here, place, stance, id, ways);
     });
+    const Legs& legs = legsAt(place);
+    const Cost cost = states_[here].cost;
     if (place == target_.goal) {
       const Stance to{target_.any_heading ? stance.yaw : target_.goal_stance.yaw, target_.goal_stance.mode};
-      if (const Cost changed = change(to); changed != Cost::most())
+      if (const Cost changed = freeChange(here, place, legs, stance, to); changed != Cost::most())
         arrive(end_, here, cost + changed, Cost());
+    }
+  }
+
+  void cross(StateId here, PlaceId place, const Stance& stance, LinkId id) {
+    const StateId state = stateOf(id, 0);
+    if (states_[state].is_settled != 0) return;
+    const Cost left = guide_.from(graph_.link(id).to);
+    if (left == Cost::most()) return;
+    const Crossing& crossing = graph_.crossing(graph_.link(id));
+    const Cost changed =
+        freeChange(here, place, legsAt(place), stance, {crossing.entry().yaw, crossing.entryMode()});
+    if (changed != Cost::most())
+      arrive(state, here, states_[here].cost + changed + crossing.cost(stances_.policy()), left);
+  }
+
+  /// By all ways of a link, as far as what was left at its end before does not serve as well.
+  void walk(StateId here, PlaceId place, const Stance& stance, LinkId id, Roadmap::Ways ways) {
+    const Roadmap::Link& link = graph_.link(id);
+    const Legs& legs = legsAt(place);
+    const Cost cost = states_[here].cost;
+    const StateId known = turnsFreely(link.to) && legs.areAlike() ? left_last_[link.to] : Roadmap::kNone;
+    if (known != Roadmap::kNone &&
+        cost + legs.cheapestLeg(ways, link.length_m) >= states_[known].cost + legs.dearestChange())
+      return;
+    const Cost left = guide_.from(link.to);
+    if (left == Cost::most()) return;
+    for (std::size_t way = 0; ways >> way != 0; ++way) {
+      if ((ways >> way & 1U) == 0) continue;
+      const StateId state = stateOf(id, way);
+      if (states_[state].is_settled != 0) continue;
+      const Cost sum = cost + legs.legCost(legs.ways()[way], link.length_m);
+      if (sum >= states_[state].cost) continue;
+      const Stance to = legs.stanceOn(link.direction_rad, way);
+      const Cost changed = freeChange(here, place, legs, stance, to);
+      if (changed == Cost::most()) continue;
+      if (known != Roadmap::kNone && isSurpassed(known, legs, to, sum + changed)) continue;
+      arrive(state, here, sum + changed, left);
     }
   }
 
   /// Of a change from a state's stance to another, Cost::most() if it is not free.
   [[nodiscard]] Cost freeChange(StateId here, PlaceId place, const Legs& legs, const Stance& from,
                                 const Stance& to) {
+    if (turnsFreely(place)) return legs.changeCost(from, to);
     const Roadmap::Place& at = graph_.place(place);
-    if (at.turns_freely && stances_.atLeast() <= robot_.margin_m) return legs.changeCost(from, to);
     SearchState& state = states_[here];
     if (state.room == Roadmap::kNone) {
       state.room = static_cast<std::uint32_t>(rooms_.size());
