@@ -102,13 +102,26 @@ std::string rounded(double number) {
   return text == "-0.000" ? "0.000" : text;
 }
 
+/// Which of several goals it is, and how the plan was chosen; empty where there was no choice.
+std::string choicesOf(const PlanDocument& document, const Plan& plan) {
+  std::string text;
+  const std::size_t goals = 1 + document.request.other_goals.size();
+  if (goals > 1)
+    text += "To goal " + std::to_string(plan.goal_index + 1) + " of " + std::to_string(goals) + ": " +
+            shortText(plan.goal) + ".\n";
+  if (document.choice)
+    text += std::string(document.choice->is_new ? "A new plan: " : "No new plan: ") + document.choice->why +
+            ".\n";
+  return text;
+}
+
 }  // namespace
 
 std::string describe(const PlanDocument& document, bool with_colours) {
   if (!document.answer) return describeFailure(document.answer.error(), with_colours);
   const Plan& plan = *document.answer;
   const std::string table = plan.segments.empty() ? "" : tableOf(document, plan).text(with_colours);
-  return table + totalsOf(document, plan);
+  return table + totalsOf(document, plan) + choicesOf(document, plan);
 }
 
 std::string shortText(const Pose& pose) {

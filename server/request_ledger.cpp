@@ -6,7 +6,7 @@ namespace {
 // A reply without segments weighs about as much as this many.
 constexpr std::size_t kBareReply = 10;
 
-std::size_t weightOf(const Answer& answer) { return kBareReply + answer.reply->segments._length; }
+std::size_t weightOf(const Answer& answer) { return kBareReply + answer.weight; }
 
 }  // namespace
 

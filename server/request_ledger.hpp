@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 
-#include "idl/underway.h"
 #include "server/question.hpp"
 
 namespace underway {
@@ -15,10 +14,11 @@ namespace underway {
 struct Answer {
   RequestId id;
   std::string partition;
-  std::shared_ptr<const underway_PlanReply> reply;
+  std::shared_ptr<const void> reply;  ///< of the topic's type
+  std::size_t weight = 0;             ///< how large it is, in segments
 };
 
-/// Remembers which requests are being planned and what was answered, so that a resend is never planned twice.
+/// Remembers which requests are being worked on and what was answered, so that no resend is worked on twice.
 /// Invariant: an id is in flight, or answered, or unknown; the weight of what is remembered stays within the
 /// limit, the oldest answers being forgotten first. Thread safety: none; it belongs to one thread.
 class RequestLedger {

@@ -10,7 +10,7 @@ namespace {
 
 Answer answerTo(std::uint64_t sequence, const Expected<Plan>& plan) {
   const RequestId id{{}, sequence};
-  return {id, "nao_1", toWire(id, fixture::served(), plan)};
+  return {id, "nao_1", toWire(id, fixture::served(), plan), plan ? plan->segments.size() : 0};
 }
 
 TEST(RequestLedger, aRequestIsUnknownThenInFlightThenAnswered) {
