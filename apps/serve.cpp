@@ -135,6 +135,8 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
             printable(site->robot->name), arguments.domain.id, roadmap->node_count, roadmap->edge_count);
   if (const Expected<void> announced = announce(arguments.ready_file); !announced) return announced;
   Expected<void> served = service->wait();
+  changes->stop();
+  if (const Expected<void> changed = changes->wait(); served && !changed) served = changed;
   store.saveFrom(*planner);  // what requests have made it grow
   return served;
 }
