@@ -91,8 +91,14 @@ std::string describeFailure(const Error& error, bool with_colours) {
   if (error.blocking.empty()) return text;
   constexpr auto kRight = Table::Align::kRight;
   Table table({{"in the way"}, {"mode"}, {"of"}, {"needs m", kRight}, {"has m", kRight}});
-  for (const Blocking& one : error.blocking)
-    table.add({{one.obstacle}, {one.mode}, {one.of}, {fixed(one.needs_m, 3)}, {fixed(one.has_m, 3)}});
+  for (const Blocking& one : error.blocking) {
+    const bool is_told = !one.of.empty();  // how much is missing
+    table.add({{one.obstacle},
+               {one.mode},
+               {is_told ? one.of : "-"},
+               {is_told ? fixed(one.needs_m, 3) : "-"},
+               {is_told ? fixed(one.has_m, 3) : "-"}});
+  }
   return text + table.text(with_colours);
 }
 

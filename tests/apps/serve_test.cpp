@@ -72,9 +72,19 @@ TEST(Serve, KeepsItsRoadmapFromOneRunToTheNext) {
 TEST(Serve, SavesWhatRequestsHaveMadeItGrow) {
   const Folder folder;
   const std::string file = folder.path("a.roadmap");
-  const std::string said = runServer(serveWords({"--roadmap", file, "--prepare-ms", "0"}));
-  EXPECT_TRUE(says(said, ": saved, ")) << said;
-  EXPECT_TRUE(says(runServer(serveWords({"--roadmap", file})), ": loaded, "));
+  const std::string map = UNDERWAY_SOURCE_DIR "/maps/flat.yaml";
+  Server server(serveWords({"--roadmap", file, "--prepare-ms", "0"}, map));
+  ASSERT_EQ(server.firstLine(), "ready");
+  EXPECT_TRUE(says(server.errors(), ": saved, 1 batches")) << server.errors();
+  // Out of the box room, which one batch does not know how to.
+  const Outcome asked = ask({"--start", "9.1,7,1.5708", "--goal", "7,5.2,3.1416"});
+  ASSERT_EQ(asked.exit_code, 0) << asked.errors;
+  const int batches = Json::parse(asked.output)["stats"]["batches"];
+  EXPECT_GT(batches, 1);
+  EXPECT_EQ(server.stop(SIGINT), 0);
+  EXPECT_TRUE(says(server.errors(), ": saved, " + std::to_string(batches) + " batches")) << server.errors();
+  Server again(serveWords({"--roadmap", file, "--prepare-ms", "0"}, map));
+  EXPECT_TRUE(says(again.errors(), ": loaded, " + std::to_string(batches) + " batches")) << again.errors();
 }
 
 TEST(Serve, GrowsAnewWhereTheFileIsAnotherRobotsOrDamaged) {
