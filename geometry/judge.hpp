@@ -16,7 +16,7 @@ class Judge {
       : world_(world), robot_(robot), scene_(scene) {}
 
   /// Whether nothing comes nearer than `clearance_m` (Euclidean, in the plane) over the whole motion. Turns
-  /// by conservative advancement, judged to 0.1 mm, all else to 1 um.
+  /// are enclosed in boxes, by halves where one is not enough, and judged to 0.1 mm, all else to 1 um.
   [[nodiscard]] bool isClear(const Motion& motion, double clearance_m) const;
 
  private:

@@ -78,7 +78,6 @@ class Passing {
     free_.assign(count, -1);
     const bool turns_freely = turnsFreely(from, option, legs);
     for (std::uint32_t w = 0; w < count; ++w) {
-      if ((corridor_[to].ways_to >> w & 1U) == 0) continue;
       const Way& way = legs.ways()[w];
       const Stance stance{normalizedAngle(direction - way.angle_rad), way.mode};
       const Cost leg = legs.legCost(way, way_m);
@@ -175,8 +174,7 @@ class Passing {
       const Legs* legs = state.parent == kNone ? nullptr : corridor_[states_[state.parent].station].legs_on;
       passage.steps.push_back({corridor_[state.station].options[state.option], legs,
                                state.way == kNone ? std::nullopt : std::optional<std::size_t>(state.way),
-                               state.arriving, state.leaving,
-                               state.option != 0 || corridor_[state.station].is_new});
+                               state.arriving, state.leaving});
     }
     std::reverse(passage.steps.begin(), passage.steps.end());
     return passage;

@@ -15,8 +15,6 @@ struct Station {
   bool may_be_skipped = false;
   std::size_t reach = 1;          ///< how many stations ahead its legs may lead
   const Legs* legs_on = nullptr;  ///< of the legs that leave it
-  std::uint32_t ways_to = ~0U;    ///< a bit for each way by which legs may come
-  bool is_new = false;            ///< was not on the way that the corridor is about
 };
 
 /// A route and what lies close beside it: stations from start to goal, of which one option each is taken.

@@ -19,6 +19,17 @@ Pose along(const Motion& line, const Pose& from, double way_m) {
 
 }  // namespace
 
+Movable::Rules Movable::Rules::at(std::span<const Passage::Step> steps, std::size_t i) const {
+  const Option& here = steps[i].option;
+  const auto& modes = checker->robot().modes;
+  Rules rules = *this;
+  rules.is_start =
+      i == 1 && !steps[1].way && steps[0].option.out == here.in && !modes[here.in_mode].canTurn();
+  rules.is_goal = i + 2 == steps.size() && !steps.back().way && steps.back().option.in == here.out &&
+                  !modes[here.out_mode].canTurn();
+  return rules;
+}
+
 Movable::Movable(const Rules& rules, Route motions)
     : rules_(rules),
       motions_(std::move(motions)),
@@ -114,6 +125,18 @@ Movable Movable::withLine(std::size_t on, const Pose& from, double length_m) con
       motions[i] = switchModes(change_at(i), motions[i - 1].to);
   }
   return {rules_, std::move(motions)};
+}
+
+Option Movable::option() const {
+  return {entry(),
+          exit(),
+          motions_.front().mode,
+          motions_.back().to_mode,
+          false,
+          false,
+          rules_.checker->robot().margin_m,
+          motions_,
+          cost_};
 }
 
 bool Movable::isFree() const {

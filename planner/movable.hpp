@@ -2,8 +2,10 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "geometry/checker.hpp"
+#include "planner/passage.hpp"
 #include "planner/route.hpp"
 
 namespace underway {
@@ -23,6 +25,10 @@ class Movable {
     double goal_m = 0.0;
     bool is_start = false;  ///< the route starts in it: its entry stays where it is
     bool is_goal = false;   ///< the route ends in it: its exit stays where it is
+
+    /// Those of the i-th step: of a mode that cannot turn, what begins at the start or ends at the goal stays
+    /// there.
+    [[nodiscard]] Rules at(std::span<const Passage::Step> steps, std::size_t i) const;
   };
 
   Movable(const Rules& rules, Route motions);
@@ -51,6 +57,8 @@ class Movable {
   /// What it becomes by a move of a step; empty where that makes no sense. Not checked yet.
   [[nodiscard]] std::optional<Movable> moved(Move move, double step_m) const;
   [[nodiscard]] bool isFree() const;
+  /// As a step of a passage.
+  [[nodiscard]] Option option() const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> line() const;

@@ -31,7 +31,6 @@ struct Passage {
     std::optional<std::size_t> way;  ///< of that leg; empty: it is where the last one was
     Stance arriving;                 ///< before any change there
     Stance leaving;                  ///< after all changes there; the same but for fixed options
-    bool is_new = true;              ///< not the first option of its station: it has moved, or come
   };
   std::vector<Step> steps;
   Cost cost;
