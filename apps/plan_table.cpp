@@ -77,13 +77,16 @@ std::string totalsOf(const PlanDocument& document, const Plan& plan) {
       plan.segments.begin(), plan.segments.end(),
       [](const Segment& a, const Segment& b) { return a.closeness.clearance_m < b.closeness.clearance_m; });
   const std::string metres = metresByMode(document, plan);
-  return "Total " + fixed(plan.total_time_s, 1) + " s, " + fixed(plan.length_m, 2) + " m" +
-         (metres.empty() ? "" : " (" + metres + ")") + ", least clearance " +
-         clearanceOf(closest->closeness) + " m. Policy " + std::string(name(document.request.policy)) +
-         "; roadmap of " + std::to_string(plan.stats.nodes) + " nodes and " +
-         std::to_string(plan.stats.edges) + " edges, " + fixed(plan.stats.build_ms, 0) + " ms; query " +
-         fixed(plan.stats.query_us / 1e3, 1) + " ms, certificate " + fixed(plan.stats.certify_us / 1e3, 1) +
-         " ms.\n";
+  std::string text = "Total " + fixed(plan.total_time_s, 1) + " s, " + fixed(plan.length_m, 2) + " m" +
+                     (metres.empty() ? "" : " (" + metres + ")") + ", least clearance " +
+                     clearanceOf(closest->closeness) + " m. Policy " +
+                     std::string(name(document.request.policy));
+  const PlanStats& stats = plan.stats;
+  if (stats.nodes > 0)  // what is left of an older plan was not looked for
+    text += "; roadmap of " + std::to_string(stats.nodes) + " nodes and " + std::to_string(stats.edges) +
+            " edges, " + fixed(stats.build_ms, 0) + " ms; query " + fixed(stats.query_us / 1e3, 1) +
+            " ms, certificate " + fixed(stats.certify_us / 1e3, 1) + " ms";
+  return text + ".\n";
 }
 
 std::string describeFailure(const Error& error, bool with_colours) {
