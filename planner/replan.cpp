@@ -183,6 +183,7 @@ Expected<Replanned> replan(Planner& planner, const Executing& executing, const R
   Expected<Plan> left = remaining(executing, *checker);
   if (!left && left.error().code == ErrorCode::kInvalidRequest) return tl::unexpected(left.error());
   auto fresh = planner.plan(request, deadline, stop);
+  if (const auto now = planner.checker(); now != checker) left = remaining(executing, *now);
   const auto leads_to = left ? goalOf(*left, request) : std::nullopt;
   if (!leads_to) {
     if (!fresh) return tl::unexpected(fresh.error());

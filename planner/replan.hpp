@@ -51,7 +51,7 @@ struct Onward {
 
 /// Plans anew from where the robot is, and says whether to change over: when the old plan is broken or leads
 /// to none of the request's goals, or the new one is better by more than `reluctance`. While the old plan
-/// holds, a new one that is not found is no failure.
+/// holds, also in the world as it is when planning ends, a new one that is not found is no failure.
 ///
 /// `request.start` is where the robot is; in a switch, where it will end (`onward`). Errors: as
 /// Planner::plan, of a plan that cannot be followed only; kInvalidRequest as `remaining`.
