@@ -50,12 +50,12 @@ void RequestDesk::onToken(dds_attach_t token) {
 
 bool RequestDesk::isResend(const RequestId& id) {
   if (ledger_.isInFlight(id)) return true;
-  const Answer* answer = ledger_.answerTo(id);
+  const FinalReply* answer = ledger_.answerTo(id);
   if (answer != nullptr) post_.send(*answer);
   return answer != nullptr;
 }
 
-void RequestDesk::reply(const Answer& answer) {
+void RequestDesk::reply(const FinalReply& answer) {
   ledger_.finish(answer);
   post_.send(answer);
 }

@@ -39,7 +39,7 @@ class RequestDesk {
   }
   /// A request that is answered later.
   void begin(const RequestId& id) { ledger_.begin(id); }
-  void reply(const Answer& answer);
+  void reply(const FinalReply& answer);
   [[nodiscard]] std::size_t inFlight() const { return ledger_.inFlight(); }
   /// Whether replies wait for their clients' readers.
   [[nodiscard]] bool isHolding() const { return post_.isHolding(); }

@@ -11,7 +11,7 @@
 namespace underway {
 
 /// A final reply and where it belongs.
-struct Answer {
+struct FinalReply {
   RequestId id;
   std::string partition;
   std::shared_ptr<const void> reply;  ///< of the topic's type
@@ -28,17 +28,17 @@ class RequestLedger {
 
   [[nodiscard]] bool isInFlight(const RequestId& id) const { return in_flight_.contains(id); }
   /// What was answered; nullptr if nothing was, or it is forgotten.
-  [[nodiscard]] const Answer* answerTo(const RequestId& id) const;
+  [[nodiscard]] const FinalReply* answerTo(const RequestId& id) const;
   [[nodiscard]] std::size_t inFlight() const { return in_flight_.size(); }
 
   void begin(const RequestId& id) { in_flight_.insert(id); }
-  void finish(const Answer& answer);
+  void finish(const FinalReply& answer);
 
  private:
   std::size_t most_;
   std::size_t weight_ = 0;
   std::set<RequestId> in_flight_;
-  std::map<RequestId, Answer> answered_;
+  std::map<RequestId, FinalReply> answered_;
   std::deque<RequestId> oldest_first_;
 };
 
