@@ -34,6 +34,22 @@ CLI::Option* addParsed(CLI::App& command, const std::string& flag, Value& value,
   return command.add_option_function<std::string>(flag, read, help)->type_name(shape);
 }
 
+/// The same of an option that may be given several times, with one value each.
+template <class Value, class Parse>
+CLI::Option* addParsedList(CLI::App& command, const std::string& flag, std::vector<Value>& values,
+                           Parse parse, const std::string& shape, const std::string& help) {
+  const auto read = [flag, parse, &values](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      auto parsed = parse(text);
+      if (!parsed) throw CLI::ValidationError(flag, parsed.error().message);
+      values.push_back(std::move(*parsed));
+    }
+  };
+  return command.add_option_function<std::vector<std::string>>(flag, read, help)
+      ->type_name(shape)
+      ->allow_extra_args(false);
+}
+
 /// A number inside a range; `inf` only where the range ends there. (CLI::Range lets NaN pass.)
 auto within(double least, double most) {
   return [=](const std::string& text) -> Expected<double> {
@@ -82,9 +98,23 @@ Expected<Goal> parseGoal(std::string_view text) {
   if (numbers->size() != 2 && numbers->size() != 3)
     return fail(ErrorCode::kInvalidRequest,
                 "\"" + std::string(text) + "\" is not a goal; give x,y or x,y,yaw");
-  Goal goal{{(*numbers)[0], (*numbers)[1]}, {}};
+  Goal goal{{(*numbers)[0], (*numbers)[1]}};
   if (numbers->size() == 3) goal.yaw = (*numbers)[2];
   return goal;
+}
+
+Expected<Obstacle> parseObstacle(std::string_view text) {
+  const std::size_t sign = text.find('=');
+  if (sign != std::string_view::npos && sign > 0) {
+    const Expected<std::vector<double>> n = parseNumbers(text.substr(sign + 1));
+    if (!n) return tl::unexpected(n.error());
+    const Vec3 rpy = n->size() == 9 ? Vec3{(*n)[6], (*n)[7], (*n)[8]} : Vec3{};
+    if (n->size() == 6 || n->size() == 9)
+      return Obstacle{std::string(text.substr(0, sign)),
+                      {{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}, rpy}};
+  }
+  return fail(ErrorCode::kInvalidRequest,
+              "\"" + std::string(text) + "\" is not an obstacle; give ID=x,y,z,lx,ly,lz[,roll,pitch,yaw]");
 }
 
 CLI::Option* addMap(CLI::App& command, MapArguments& arguments) {
@@ -134,8 +164,8 @@ void addQuery(CLI::App& command, QueryArguments& arguments) {
   addPose(command, "--start", arguments.start, "Where the robot is [m, m, rad]");
   command.add_option("--start-mode", arguments.start_mode, "Mode it is in (the robot's first)")
       ->type_name("MODE");
-  addParsed(command, "--goal", arguments.goal, parseGoal, "X,Y[,YAW]",
-            "Where it shall be; without a yaw, any");
+  addParsedList(command, "--goal", arguments.goals, parseGoal, "X,Y[,YAW]",
+                "Where it shall be; without a yaw, any. Of several the best to reach by the policy");
   command.add_option("--goal-mode", arguments.goal_mode, "Mode it shall be in (the robot's first)")
       ->type_name("MODE");
   addParsed(command, "--policy", arguments.policy, policy, "priority|fastest|safest",
@@ -143,6 +173,31 @@ void addQuery(CLI::App& command, QueryArguments& arguments) {
   addParsed(command, "--max-detour", arguments.max_detour, within(1.0, kInfinity), "F",
             "priority takes the fastest plan when its own takes F times as long (3; inf: never)");
   addParsed(command, "--deadline-ms", arguments.deadline, deadline, "N", "Time for the answer (10000)");
+}
+
+void addReplan(CLI::App& command, FollowArguments& arguments) {
+  command
+      .add_option("--replan", arguments.replan,
+                  "The plan being followed: leave it if it is blocked, or for a better one. Start (where the "
+                  "robot is by --segment and --done), goals and policy are the plan's")
+      ->type_name("PLAN.json")
+      ->excludes("--start-mode", "--goal-mode", "--policy", "--max-detour");
+  addProgress(command, arguments);
+  addParsed(command, "--gain", arguments.gain, within(0.0, 1.0), "F",
+            "What a new plan must save of the time that is left, besides 2 s (0.1)");
+}
+
+void addProgress(CLI::App& command, FollowArguments& arguments) {
+  command.add_option("--segment", arguments.segment, "Segment the robot is in, counted from 1 (1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  addParsed(command, "--done", arguments.done, within(0.0, 1.0), "F",
+            "Share of that segment that is done (0)");
+}
+
+CLI::Option* addObstacles(CLI::App& command, const std::string& flag, std::vector<Obstacle>& obstacles,
+                          const std::string& help) {
+  return addParsedList(command, flag, obstacles, parseObstacle, "ID=X,Y,Z,LX,LY,LZ[,R,P,Y]", help);
 }
 
 void addOutput(CLI::App& command, OutputArguments& arguments) {
@@ -170,13 +225,20 @@ void addRoadmap(CLI::App& command, std::string& file) {
 
 Expected<Request> requestOf(const QueryArguments& arguments, const Robot& robot) {
   if (!arguments.start) return fail(ErrorCode::kInvalidRequest, "--start is missing; give x,y,yaw");
-  if (!arguments.goal) return fail(ErrorCode::kInvalidRequest, "--goal is missing; give x,y or x,y,yaw");
+  if (arguments.goals.empty())
+    return fail(ErrorCode::kInvalidRequest, "--goal is missing; give x,y or x,y,yaw");
   const Expected<ModeId> start_mode = modeOf(arguments.start_mode, "--start-mode", robot);
   if (!start_mode) return tl::unexpected(start_mode.error());
   const Expected<ModeId> goal_mode = modeOf(arguments.goal_mode, "--goal-mode", robot);
   if (!goal_mode) return tl::unexpected(goal_mode.error());
-  return Request{*arguments.start, *start_mode,      arguments.goal->at,  arguments.goal->yaw,
-                 *goal_mode,       arguments.policy, arguments.max_detour};
+  Request request;
+  request.start = *arguments.start;
+  request.start_mode = *start_mode;
+  request.policy = arguments.policy;
+  request.max_detour = arguments.max_detour;
+  std::vector<Goal> goals = arguments.goals;
+  for (Goal& goal : goals) goal.mode = *goal_mode;
+  return withGoals(std::move(request), goals);
 }
 
 }  // namespace underway

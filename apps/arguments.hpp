@@ -6,26 +6,25 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/map.hpp"
 #include "planner/plan.hpp"
+#include "planner/replan.hpp"
 #include "server/domain.hpp"
 
 namespace underway {
-
-/// Where to go: a heading only if it matters.
-struct Goal {
-  Point at;                   ///< in the map frame [m]
-  std::optional<double> yaw;  ///< [rad]
-};
 
 /// A finite number and nothing else. Errors of all three: kInvalidRequest, a sentence without the flag's
 /// name.
 [[nodiscard]] Expected<double> parseNumber(std::string_view text);
 /// "x,y,yaw" [m, m, rad].
 [[nodiscard]] Expected<Pose> parsePose(std::string_view text);
-/// "x,y" or "x,y,yaw" [m, m, rad].
+/// "x,y" or "x,y,yaw" [m, m, rad]; the mode is left open.
 [[nodiscard]] Expected<Goal> parseGoal(std::string_view text);
+/// "ID=x,y,z,lx,ly,lz" or with ",roll,pitch,yaw": an oriented box in the map frame, by its middle and full
+/// size [m, rad].
+[[nodiscard]] Expected<Obstacle> parseObstacle(std::string_view text);
 
 /// --map and how to read it.
 struct MapArguments {
@@ -36,12 +35,24 @@ struct MapArguments {
 /// What is asked for, by names: which modes there are is known once the robot has been read.
 struct QueryArguments {
   std::optional<Pose> start;
-  std::string start_mode;  ///< empty: the robot's first
-  std::optional<Goal> goal;
-  std::string goal_mode;  ///< empty: the robot's first
+  std::string start_mode;   ///< empty: the robot's first
+  std::vector<Goal> goals;  ///< any of which will do
+  std::string goal_mode;    ///< of all goals; empty: the robot's first
   Policy policy = Policy::kPriority;
   double max_detour = Request{}.max_detour;
   std::chrono::milliseconds deadline{10'000};
+};
+
+/// The plan that is being followed, and how far.
+struct FollowArguments {
+  std::string replan;       ///< its file, if a better one is asked for
+  std::string stale;        ///< its file, if only whether it may still be followed is asked
+  std::size_t segment = 1;  ///< the robot is in, as tables count them
+  double done = 0.0;        ///< share of it
+  double gain = Reluctance{}.share;
+
+  [[nodiscard]] bool isGiven() const { return !replan.empty() || !stale.empty(); }
+  [[nodiscard]] const std::string& file() const { return replan.empty() ? stale : replan; }
 };
 
 /// Where the answer goes, besides the table on standard output.
@@ -55,6 +66,13 @@ struct OutputArguments {
 CLI::Option* addMap(CLI::App& command, MapArguments& arguments);
 void addRobot(CLI::App& command, std::string& robot);
 void addQuery(CLI::App& command, QueryArguments& arguments);
+/// --replan, which takes what addQuery adds from the plan, and how far the robot is on it. After addQuery.
+void addReplan(CLI::App& command, FollowArguments& arguments);
+/// --segment and --done.
+void addProgress(CLI::App& command, FollowArguments& arguments);
+/// An option that may be given several times, each with one value that `parse` turns into a value.
+CLI::Option* addObstacles(CLI::App& command, const std::string& flag, std::vector<Obstacle>& obstacles,
+                          const std::string& help);
 void addOutput(CLI::App& command, OutputArguments& arguments);
 /// --pose and the like.
 CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<Pose>& pose,

@@ -2,6 +2,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/inputs.hpp"
+#include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "apps/text_file.hpp"
 #include "planner/certify.hpp"
@@ -13,10 +14,12 @@ namespace {
 constexpr const char* kExamples =
     "Examples:\n"
     "  underway check plan.json --map maps/scenario3.yaml\n"
-    "Exit codes: 0 sound, 3 flawed, 2 invalid input.";
+    "  underway check plan.json --map changed.yaml --stale --segment 3 --done 0.4\n"
+    "Exit codes: 0 sound, or it may still be followed, 3 flawed or stale, 2 invalid input.";
 
 struct Arguments {
-  std::string plan;
+  FollowArguments plan;
+  bool only_stale = false;
   MapArguments map;
   std::string robot;
 };
@@ -46,21 +49,30 @@ struct Verdict {
   bool is_sound = false;
 };
 
+Verdict certified(const FollowedPlan& plan, const Site& site) {
+  const Plan& made = *plan.document.answer;
+  const std::vector<Flaw> flaws = certify(made, plan.document.request, Checker(site.world, site.robot));
+  return {stalenessOf(plan.document, site) + listOf(flaws, made.segments.size()), flaws.empty()};
+}
+
+/// Whether what is left of the plan may be followed in the map as it is, whatever it was made in.
+Expected<Verdict> staleness(const FollowedPlan& plan, const Site& site) {
+  const auto left = remaining(plan.executing, Checker(site.world, site.robot));
+  if (left)
+    return Verdict{"It may be followed: " + std::to_string(left->segments.size()) + " segments are left, " +
+                       fixed(left->total_time_s, 1) + " s.\n",
+                   true};
+  if (left.error().code != ErrorCode::kStaleRevision) return tl::unexpected(left.error());
+  return Verdict{"Stale: " + printable(left.error().message) + ".\n", false};
+}
+
 Expected<Verdict> judge(const Arguments& arguments) {
   const Expected<Site> site = readSite(arguments.map, arguments.robot);
   if (!site) return tl::unexpected(site.error());
-  const Expected<std::string> text = readText(arguments.plan);
-  if (!text) return tl::unexpected(text.error());
-  const Expected<PlanDocument> document = planFromJson(*text, *site->robot);
-  if (!document) return tl::unexpected(document.error());
-  if (!document->answer)
-    return fail(ErrorCode::kInvalidRequest, "\"" + arguments.plan + "\" holds no plan but a failure (" +
-                                                std::string(name(document->answer.error().code)) +
-                                                "); there is nothing to check");
-  const std::vector<Flaw> flaws =
-      certify(*document->answer, document->request, Checker(site->world, site->robot));
-  return Verdict{stalenessOf(*document, *site) + listOf(flaws, document->answer->segments.size()),
-                 flaws.empty()};
+  const Expected<FollowedPlan> plan = readFollowed(arguments.plan, *site->robot);
+  if (!plan) return tl::unexpected(plan.error());
+  if (arguments.only_stale) return staleness(*plan, *site);
+  return certified(*plan, *site);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -81,9 +93,16 @@ ExitCode run(const Arguments& arguments) {
 Command addCheckCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("check", "Judge a plan file by the certificate alone");
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("PLAN", arguments->plan, "A file written by --json")->required()->type_name("FILE");
+  command.add_option("PLAN", arguments->plan.stale, "A file written by --json")
+      ->required()
+      ->type_name("FILE");
   addMap(command, arguments->map)->required();
   addRobot(command, arguments->robot);
+  command.add_flag("--stale", arguments->only_stale,
+                   "Only tell whether it may be followed in this map, from where the robot is on it");
+  addProgress(command, arguments->plan);
+  command.get_option("--segment")->needs("--stale");
+  command.get_option("--done")->needs("--stale");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

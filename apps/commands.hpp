@@ -13,11 +13,12 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
-[[nodiscard]] Command addPlanCommand(CLI::App& program);   ///< plans on the spot
-[[nodiscard]] Command addAskCommand(CLI::App& program);    ///< asks a server for a plan
-[[nodiscard]] Command addServeCommand(CLI::App& program);  ///< answers over DDS until it is told to stop
-[[nodiscard]] Command addQueryCommand(CLI::App& program);  ///< judges one pose in every mode
-[[nodiscard]] Command addCheckCommand(CLI::App& program);  ///< judges a plan by the certificate alone
-[[nodiscard]] Command addBenchCommand(CLI::App& program);  ///< measures
+[[nodiscard]] Command addPlanCommand(CLI::App& program);    ///< plans on the spot
+[[nodiscard]] Command addAskCommand(CLI::App& program);     ///< asks a server for a plan
+[[nodiscard]] Command addChangeCommand(CLI::App& program);  ///< changes a server's world
+[[nodiscard]] Command addServeCommand(CLI::App& program);   ///< answers over DDS until it is told to stop
+[[nodiscard]] Command addQueryCommand(CLI::App& program);   ///< judges one pose in every mode
+[[nodiscard]] Command addCheckCommand(CLI::App& program);   ///< judges a plan by the certificate alone
+[[nodiscard]] Command addBenchCommand(CLI::App& program);   ///< measures
 
 }  // namespace underway

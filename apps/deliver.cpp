@@ -23,13 +23,14 @@ PlanDocument documentOf(const QueryArguments& query) {
   // The two modes as they were asked for, until a robot says which ones there are.
   document.mode_names = {query.start_mode, query.goal_mode};
   document.request.goal_mode = 1;
+  if (!query.goals.empty()) {
+    std::vector<Goal> goals = query.goals;
+    for (Goal& goal : goals) goal.mode = 1;
+    document.request = withGoals(std::move(document.request), goals);
+  }
   document.request.policy = query.policy;
   document.request.max_detour = query.max_detour;
   document.request.start = query.start.value_or(Pose{});
-  if (query.goal) {
-    document.request.goal = query.goal->at;
-    document.request.goal_yaw = query.goal->yaw;
-  }
   return document;
 }
 

@@ -152,9 +152,14 @@ std::string drawPlan(const Picture& picture, const View& view) {
   } else {
     text += drawBlocking(document.answer.error(), picture.world, view);
   }
+  const std::size_t led_to = document.answer ? document.answer->goal_index : 0;
+  const std::vector<Goal> goals = goalsOf(request);
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (i != led_to || !document.answer)
+      text += drawMark(view.toPicture(goals[i].at), "G", document.answer ? "#b98a86" : "#b3261e");
   const bool knows_goal_yaw = document.answer || request.goal_yaw;
   text += drawBody(robot, request.start_mode, request.start, view);
-  if (knows_goal_yaw) text += drawBody(robot, request.goal_mode, goal, view);
+  if (knows_goal_yaw) text += drawBody(robot, goals.at(led_to).mode, goal, view);
   return text + drawMark(view.toPicture(request.start.position()), "S", "#1b7f3b") +
          drawMark(view.toPicture(goal.position()), "G", "#b3261e");
 }

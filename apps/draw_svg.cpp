@@ -75,7 +75,7 @@ std::string drawSvg(const Picture& picture) {
   Area area = areaOf(picture.world.bounds());
   if (picture.document != nullptr) {
     area = including(area, picture.document->request.start.position());
-    area = including(area, picture.document->request.goal);
+    for (const Goal& goal : goalsOf(picture.document->request)) area = including(area, goal.at);
   }
   const double px_per_m = kLargestMap_px / std::max(area.x.length(), 1.3 * area.y.length());
   const View view{{area.x.min, area.y.max}, px_per_m, {kMargin_px, kMargin_px}};

@@ -17,8 +17,9 @@ struct Picture {
 };
 
 /// A picture as SVG: obstacles by whether they block every mode, only some, or none; bodies swept, way and
-/// switches of the plan coloured by mode; start and goal, legend, totals, and a scale bar. Obstacles are
-/// shown whole, not cut to a mode's slab. Its size grows with the obstacles, some 20 bytes each.
+/// switches of the plan coloured by mode; start and goals (those it does not lead to, paler), legend, totals,
+/// and a scale bar. Obstacles are shown whole, not cut to a mode's slab. Its size grows with the obstacles,
+/// some 20 bytes each.
 [[nodiscard]] std::string drawSvg(const Picture& picture);
 
 }  // namespace underway

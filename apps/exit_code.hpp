@@ -9,7 +9,7 @@ enum class ExitCode : int {
   kDone = 0,          ///< a plan, or what else was asked for
   kOther = 1,         ///< anything else: an output that cannot be written, a busy server, a fault of ours
   kInvalidInput = 2,  ///< usage, or a file that cannot be used
-  kNo = 3,            ///< a valid 'no': there is no such plan, or none was found in time
+  kNo = 3,            ///< a valid 'no': there is no such plan, none was found in time, or it is stale
   kNoServer = 4,
 };
 
@@ -21,6 +21,7 @@ enum class ExitCode : int {
     case ErrorCode::kGoalOutOfBounds:
     case ErrorCode::kNoPathExists:
     case ErrorCode::kTimeout:
+    case ErrorCode::kStaleRevision:
       return ExitCode::kNo;
     case ErrorCode::kInvalidRequest:
     case ErrorCode::kInvalidMap:
@@ -30,7 +31,6 @@ enum class ExitCode : int {
       return ExitCode::kNoServer;
     case ErrorCode::kCancelled:
     case ErrorCode::kBusy:
-    case ErrorCode::kStaleRevision:
     case ErrorCode::kInternal:
       return ExitCode::kOther;
   }

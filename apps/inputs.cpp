@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "apps/text_file.hpp"
+
 namespace underway {
 namespace {
 
@@ -70,9 +72,38 @@ Expected<QueryArguments> queryNamed(const std::string& name, const std::vector<Q
   }
   arguments.start = query->start;
   arguments.start_mode = query->start_mode;
-  arguments.goal = Goal{query->goal, query->goal_yaw};
+  arguments.goals = {Goal{query->goal, query->goal_yaw}};
   arguments.goal_mode = query->goal_mode;
   return arguments;
+}
+
+Expected<FollowedPlan> readFollowed(const FollowArguments& arguments, const Robot& robot) {
+  const Expected<std::string> text = readText(arguments.file());
+  if (!text) return tl::unexpected(text.error());
+  Expected<PlanDocument> document = planFromJson(*text, robot);
+  if (!document) return tl::unexpected(document.error());
+  if (!document->answer)
+    return fail(ErrorCode::kInvalidRequest, "\"" + arguments.file() + "\" holds no plan but a failure (" +
+                                                std::string(name(document->answer.error().code)) +
+                                                "); nobody can follow it");
+  const std::size_t segments = document->answer->segments.size();
+  if (arguments.segment > std::max<std::size_t>(segments, 1))
+    return fail(ErrorCode::kInvalidRequest, "--segment: the plan has " + std::to_string(segments) +
+                                                " segments; " + std::to_string(arguments.segment) +
+                                                " is not one of them");
+  Executing executing{*document->answer, segments == 0 ? 0 : arguments.segment - 1, arguments.done};
+  return FollowedPlan{std::move(*document), std::move(executing)};
+}
+
+Request requestOf(const FollowedPlan& followed, const QueryArguments& query, const Robot& robot) {
+  Request request = followed.document.request;
+  const Onward from = onward(followed.executing, robot);
+  request.start = query.start.value_or(from.start);
+  request.start_mode = from.mode;
+  if (query.goals.empty()) return request;
+  std::vector<Goal> goals = query.goals;
+  for (Goal& goal : goals) goal.mode = request.goal_mode;
+  return withGoals(std::move(request), goals);
 }
 
 }  // namespace underway

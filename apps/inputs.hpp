@@ -7,6 +7,8 @@
 
 #include "apps/arguments.hpp"
 #include "geometry/map.hpp"
+#include "planner/plan_document.hpp"
+#include "planner/replan.hpp"
 
 namespace underway {
 
@@ -31,5 +33,18 @@ struct Site {
 /// kInvalidRequest, naming the queries there are.
 [[nodiscard]] Expected<QueryArguments> queryNamed(const std::string& name, const std::vector<Query>& queries,
                                                   QueryArguments arguments);
+
+/// A plan that is being followed, from its file.
+struct FollowedPlan {
+  PlanDocument document;
+  Executing executing;
+};
+/// Errors: kInvalidRequest for a file that holds no plan of this robot, or has no such segment.
+[[nodiscard]] Expected<FollowedPlan> readFollowed(const FollowArguments& arguments, const Robot& robot);
+
+/// The request for replanning: the plan's, from where the robot is on it. `start` and `goals` of the query,
+/// when given, go before the plan's.
+[[nodiscard]] Request requestOf(const FollowedPlan& followed, const QueryArguments& query,
+                                const Robot& robot);
 
 }  // namespace underway

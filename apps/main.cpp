@@ -24,9 +24,10 @@ ExitCode runCommandLine(int argc, char** argv) {
                    "underway");
   program.require_subcommand(0, 1);  // none at all is told below, in our own words
   program.footer(kExamples);
-  const std::vector<Command> commands{underway::addPlanCommand(program),  underway::addAskCommand(program),
-                                      underway::addServeCommand(program), underway::addQueryCommand(program),
-                                      underway::addCheckCommand(program), underway::addBenchCommand(program)};
+  const std::vector<Command> commands{underway::addPlanCommand(program),   underway::addAskCommand(program),
+                                      underway::addChangeCommand(program), underway::addServeCommand(program),
+                                      underway::addQueryCommand(program),  underway::addCheckCommand(program),
+                                      underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -36,7 +37,7 @@ ExitCode runCommandLine(int argc, char** argv) {
   }
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();
-  underway::complain("a command is missing; give plan, ask, serve, query or check, or --help");
+  underway::complain("a command is missing; give plan, ask, change, serve, query or check, or --help");
   return ExitCode::kInvalidInput;
 }
 

@@ -7,6 +7,7 @@
 #include "apps/roadmap_store.hpp"
 #include "apps/terminal.hpp"
 #include "planner/planner.hpp"
+#include "server/served.hpp"
 
 namespace underway {
 namespace {
@@ -18,12 +19,15 @@ constexpr const char* kExamples =
     "  underway plan --map floor.pgm --resolution-m 0.05 --origin 0,0,0 --occupied-thresh 0.65 \\\n"
     "                --free-thresh 0.196 --unknown free --robot nao_obb_paper --start 1,1,0 --goal 4,3,1.57\n"
     "  underway plan --map maps/flat.yaml --query under_the_bed --roadmap flat.roadmap\n"
+    "  underway plan --map maps/scenario3.yaml --start 0.6,2,0 --goal 5.4,2 --goal 5.4,0.8,1.57\n"
+    "  underway plan --map changed.yaml --replan plan.json --segment 3 --done 0.4\n"
     "Exit codes: 0 a plan, 3 a valid 'no', 2 invalid input, 1 anything else.";
 
 struct Arguments {
   MapArguments map;
   std::string robot;
   QueryArguments query;
+  FollowArguments follow;
   std::string query_name;
   OutputArguments output;
   GrowthSettings growth;
@@ -37,18 +41,45 @@ struct Answered {
   std::shared_ptr<const Roadmap> roadmap;
 };
 
-Expected<Plan> planAt(const Site& site, const Request& request, const Arguments& arguments,
-                      std::shared_ptr<const Roadmap>& roadmap) {
+/// Plans, or plans anew if a plan is being followed.
+Expected<Plan> planBy(Planner& planner, const Asked& asked, Planner::Clock::time_point deadline,
+                      std::optional<Choice>& choice) {
+  ProgressBar bar("growing the roadmap");
+  if (asked.purpose == Purpose::kPlan)
+    return planner.plan(asked.request, deadline, {}, [&](double share) { bar.show(share); });
+  auto given = replan(planner, asked.executing, asked.request, deadline, asked.reluctance);
+  if (!given) return tl::unexpected(given.error());
+  choice = Choice{given->is_new, std::move(given->why)};
+  return std::move(given->plan);
+}
+
+Expected<Plan> planAt(const Site& site, const Asked& asked, const Arguments& arguments,
+                      std::shared_ptr<const Roadmap>& roadmap, std::optional<Choice>& choice) {
   const auto start = Planner::Clock::now();
   Planner planner(site.world, site.robot, arguments.growth);
   RoadmapStore store(arguments.roadmap_file);
   store.loadInto(planner);
-  ProgressBar bar("growing the roadmap");
-  Expected<Plan> plan =
-      planner.plan(request, start + arguments.query.deadline, {}, [&](double share) { bar.show(share); });
+  Expected<Plan> plan = planBy(planner, asked, start + arguments.query.deadline, choice);
   store.saveFrom(planner);
   roadmap = planner.roadmap();
   return plan;
+}
+
+/// What is asked, in the robot's modes.
+Expected<Asked> askedOf(const Arguments& arguments, const Site& site) {
+  if (!arguments.follow.isGiven()) {
+    Expected<QueryArguments> query = arguments.query;
+    if (!arguments.query_name.empty())
+      query = queryNamed(arguments.query_name, site.queries, arguments.query);
+    if (!query) return tl::unexpected(query.error());
+    return requestOf(*query, *site.robot).map([](const Request& request) { return Asked{request}; });
+  }
+  Expected<FollowedPlan> followed = readFollowed(arguments.follow, *site.robot);
+  if (!followed) return tl::unexpected(followed.error());
+  Asked asked{requestOf(*followed, arguments.query, *site.robot), Purpose::kReplan};
+  asked.executing = std::move(followed->executing);
+  asked.reluctance.share = arguments.follow.gain;
+  return asked;
 }
 
 Answered answer(const Arguments& arguments) {
@@ -63,14 +94,11 @@ Answered answer(const Arguments& arguments) {
   answered.site = *site;
   describeSite(*site, arguments.growth.seed, document);
 
-  Expected<QueryArguments> query = arguments.query;
-  if (!arguments.query_name.empty()) query = queryNamed(arguments.query_name, site->queries, arguments.query);
-  if (!query) return refuse(query.error());
-  const Expected<Request> request = requestOf(*query, *site->robot);
-  if (!request) return refuse(request.error());
-  setRequest(*request, *site->robot, document);
+  const Expected<Asked> asked = askedOf(arguments, *site);
+  if (!asked) return refuse(asked.error());
+  setRequest(asked->request, *site->robot, document);
 
-  document.answer = planAt(*site, *request, arguments, answered.roadmap);
+  document.answer = planAt(*site, *asked, arguments, answered.roadmap, document.choice);
   return answered;
 }
 
@@ -94,6 +122,8 @@ Command addPlanCommand(CLI::App& program) {
   command.add_option("--query", arguments->query_name, "Take start and goal from this query of the scenario")
       ->type_name("NAME")
       ->excludes("--start", "--start-mode", "--goal", "--goal-mode");
+  addReplan(command, arguments->follow);
+  command.get_option("--replan")->excludes("--query");
   addOutput(command, arguments->output);
   addSeed(command, arguments->growth.seed);
   addRoadmap(command, arguments->roadmap_file);

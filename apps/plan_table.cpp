@@ -77,13 +77,16 @@ std::string totalsOf(const PlanDocument& document, const Plan& plan) {
       plan.segments.begin(), plan.segments.end(),
       [](const Segment& a, const Segment& b) { return a.closeness.clearance_m < b.closeness.clearance_m; });
   const std::string metres = metresByMode(document, plan);
-  return "Total " + fixed(plan.total_time_s, 1) + " s, " + fixed(plan.length_m, 2) + " m" +
-         (metres.empty() ? "" : " (" + metres + ")") + ", least clearance " +
-         clearanceOf(closest->closeness) + " m. Policy " + std::string(name(document.request.policy)) +
-         "; roadmap of " + std::to_string(plan.stats.nodes) + " nodes and " +
-         std::to_string(plan.stats.edges) + " edges, " + fixed(plan.stats.build_ms, 0) + " ms; query " +
-         fixed(plan.stats.query_us / 1e3, 1) + " ms, certificate " + fixed(plan.stats.certify_us / 1e3, 1) +
-         " ms.\n";
+  std::string text = "Total " + fixed(plan.total_time_s, 1) + " s, " + fixed(plan.length_m, 2) + " m" +
+                     (metres.empty() ? "" : " (" + metres + ")") + ", least clearance " +
+                     clearanceOf(closest->closeness) + " m. Policy " +
+                     std::string(name(document.request.policy));
+  const PlanStats& stats = plan.stats;
+  if (stats.nodes > 0)  // what is left of an older plan was not looked for
+    text += "; roadmap of " + std::to_string(stats.nodes) + " nodes and " + std::to_string(stats.edges) +
+            " edges, " + fixed(stats.build_ms, 0) + " ms; query " + fixed(stats.query_us / 1e3, 1) +
+            " ms, certificate " + fixed(stats.certify_us / 1e3, 1) + " ms";
+  return text + ".\n";
 }
 
 std::string describeFailure(const Error& error, bool with_colours) {
@@ -91,8 +94,14 @@ std::string describeFailure(const Error& error, bool with_colours) {
   if (error.blocking.empty()) return text;
   constexpr auto kRight = Table::Align::kRight;
   Table table({{"in the way"}, {"mode"}, {"of"}, {"needs m", kRight}, {"has m", kRight}});
-  for (const Blocking& one : error.blocking)
-    table.add({{one.obstacle}, {one.mode}, {one.of}, {fixed(one.needs_m, 3)}, {fixed(one.has_m, 3)}});
+  for (const Blocking& one : error.blocking) {
+    const bool is_told = !one.of.empty();  // how much is missing
+    table.add({{one.obstacle},
+               {one.mode},
+               {is_told ? one.of : "-"},
+               {is_told ? fixed(one.needs_m, 3) : "-"},
+               {is_told ? fixed(one.has_m, 3) : "-"}});
+  }
   return text + table.text(with_colours);
 }
 
@@ -102,13 +111,26 @@ std::string rounded(double number) {
   return text == "-0.000" ? "0.000" : text;
 }
 
+/// Which of several goals it is, and how the plan was chosen; empty where there was no choice.
+std::string choicesOf(const PlanDocument& document, const Plan& plan) {
+  std::string text;
+  const std::size_t goals = 1 + document.request.other_goals.size();
+  if (goals > 1)
+    text += "To goal " + std::to_string(plan.goal_index + 1) + " of " + std::to_string(goals) + ": " +
+            shortText(plan.goal) + ".\n";
+  if (document.choice)
+    text += std::string(document.choice->is_new ? "A new plan: " : "No new plan: ") + document.choice->why +
+            ".\n";
+  return text;
+}
+
 }  // namespace
 
 std::string describe(const PlanDocument& document, bool with_colours) {
   if (!document.answer) return describeFailure(document.answer.error(), with_colours);
   const Plan& plan = *document.answer;
   const std::string table = plan.segments.empty() ? "" : tableOf(document, plan).text(with_colours);
-  return table + totalsOf(document, plan);
+  return table + totalsOf(document, plan) + choicesOf(document, plan);
 }
 
 std::string shortText(const Pose& pose) {

@@ -1,6 +1,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <memory>
 
 #include "apps/commands.hpp"
@@ -12,6 +13,7 @@
 #include "apps/terminal.hpp"
 #include "apps/text_file.hpp"
 #include "planner/planner.hpp"
+#include "server/change_service.hpp"
 #include "server/plan_service.hpp"
 
 namespace underway {
@@ -22,7 +24,7 @@ constexpr const char* kExamples =
     "  underway serve --map maps/scenario3.yaml\n"
     "  underway serve --map maps/ros/office.yaml --robot nao --domain 7 --workers 4 --ready-file /tmp/ready\n"
     "  underway serve --map maps/flat.yaml --roadmap flat.roadmap\n"
-    "Prints 'ready' once it answers. Ends with SIGINT or SIGTERM.";
+    "Prints 'ready' once it answers. Ends with SIGINT or SIGTERM. Its world is changed by 'underway change'.";
 
 struct Arguments {
   MapArguments map;
@@ -35,32 +37,60 @@ struct Arguments {
   std::string roadmap_file;
 };
 
-std::string lineOf(const Request& request, const Robot& robot, const Expected<Plan>& plan, double took_ms) {
-  const Pose goal{request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)};
-  std::string line = std::string(name(request.policy)) + " " + robot.modes[request.start_mode].name + " " +
-                     shortText(request.start) + " -> " + robot.modes[request.goal_mode].name + " " +
-                     shortText(goal);
-  if (!request.goal_yaw) line += " (any yaw)";
-  line += plan ? ": ok, " + fixed(plan->total_time_s, 1) + " s, " + std::to_string(plan->segments.size()) +
-                     " segments"
-               : ": " + std::string(name(plan.error().code));
-  return line + ", took " + fixed(took_ms, 2) + " ms";
+std::string textOf(const Goal& goal) {
+  const std::string text = shortText(Pose{goal.at.x, goal.at.y, goal.yaw.value_or(0.0)});
+  return goal.yaw ? text : text + " (any yaw)";
 }
 
-PlanHandler handlerFor(const std::shared_ptr<Planner>& planner, const std::shared_ptr<const Robot>& robot,
-                       const std::shared_ptr<spdlog::logger>& log) {
-  return [=](const Request& request, Planner::Clock::time_point deadline, std::stop_token stop) {
+/// What became of a request, in a line.
+std::string outcomeOf(const Asked& asked, const Expected<Given>& given) {
+  if (!given)
+    return std::string(name(given.error().code)) + " in revision " + std::to_string(given.error().revision);
+  const Plan& plan = given->plan;
+  std::string text = "ok in revision " + std::to_string(plan.revision) + ", " + fixed(plan.total_time_s, 1) +
+                     " s, " + std::to_string(plan.segments.size()) + " segments";
+  if (!asked.request.other_goals.empty()) text += " to goal " + std::to_string(plan.goal_index + 1);
+  if (given->choice) text += given->choice->is_new ? ", a new plan" : ", the one followed";
+  return text;
+}
+
+std::string lineOf(const Asked& asked, const Robot& robot, const Expected<Given>& given, double took_ms) {
+  constexpr std::array kPurposes{"", "replan ", "check "};
+  const Request& request = asked.request;
+  const std::vector<Goal> goals = goalsOf(request);
+  std::string line = kPurposes[static_cast<std::size_t>(asked.purpose)] + std::string(name(request.policy)) +
+                     " " + robot.modes[request.start_mode].name + " " + shortText(request.start) + " -> " +
+                     robot.modes[request.goal_mode].name + " " + textOf(goals.front());
+  if (goals.size() > 1) line += " or " + std::to_string(goals.size() - 1) + " other goals";
+  return line + ": " + outcomeOf(asked, given) + ", took " + fixed(took_ms, 2) + " ms";
+}
+
+/// The planner's answers, each told in the log.
+PlanHandler loggedHandlerFor(const std::shared_ptr<Planner>& planner,
+                             const std::shared_ptr<const Robot>& robot,
+                             const std::shared_ptr<spdlog::logger>& log) {
+  return [robot, log, handler = handlerFor(planner)](const Asked& asked, Planner::Clock::time_point deadline,
+                                                     const std::stop_token& stop) {
     const auto start = Planner::Clock::now();
-    Expected<Plan> plan = planner->plan(request, deadline, std::move(stop));
+    Expected<Given> given = handler(asked, deadline, stop);
     const std::chrono::duration<double, std::milli> took = Planner::Clock::now() - start;
-    log->info("{}", printable(lineOf(request, *robot, plan, took.count())));
-    return plan;
+    log->info("{}", printable(lineOf(asked, *robot, given, took.count())));
+    return given;
+  };
+}
+
+ChangeService::Log changeLog(const std::shared_ptr<spdlog::logger>& log) {
+  return [log](std::size_t changes, const World& world, const Expected<Changed>& outcome) {
+    if (outcome)
+      log->info("{} changes: the world is at revision {} now, {} ways closed, {} opened", changes,
+                world.revision(), outcome->repair.closed, outcome->repair.opened);
+    else
+      log->info("{} changes refused: {}", changes, printable(outcome.error().message));
   };
 }
 
 Served servedBy(const Site& site, std::uint64_t seed) {
-  return {*site.robot,        site.world->name(),  site.world->revision(),
-          site.world->hash(), hashOf(*site.robot), seed};
+  return {*site.robot, site.world->name(), hashOf(*site.robot), seed};
 }
 
 /// Grows the roadmap, so that the first request finds it ready.
@@ -92,14 +122,21 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
 
   Expected<PlanService> service =
       PlanService::start(*domain, servedBy(*site, arguments.growth.seed),
-                         handlerFor(planner, site->robot, log), arguments.service);
+                         loggedHandlerFor(planner, site->robot, log), arguments.service);
   if (!service) return tl::unexpected(service.error());
-  const std::stop_callback stop_service(signals.token(), [&] { service->stop(); });
+  Expected<ChangeService> changes = ChangeService::start(*domain, planner, changeLog(log));
+  if (!changes) return tl::unexpected(changes.error());
+  const std::stop_callback stop_services(signals.token(), [&] {
+    service->stop();
+    changes->stop();
+  });
   const auto roadmap = planner->roadmap();
   log->info("serving map {} for robot {} in domain {}: {} nodes, {} edges", printable(site->world->name()),
             printable(site->robot->name), arguments.domain.id, roadmap->node_count, roadmap->edge_count);
   if (const Expected<void> announced = announce(arguments.ready_file); !announced) return announced;
   Expected<void> served = service->wait();
+  changes->stop();
+  if (const Expected<void> changed = changes->wait(); served && !changed) served = changed;
   store.saveFrom(*planner);  // what requests have made it grow
   return served;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -40,6 +41,8 @@ struct Error {
   ErrorCode code = ErrorCode::kInternal;
   std::string message;
   std::vector<Blocking> blocking;
+  std::uint64_t revision = 0;   ///< of the world it is about; 0: of none
+  std::string world_hash = {};  ///< of that world
 };
 
 template <class T>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "planner/attach.hpp"
 #include "planner/certify.hpp"
@@ -28,18 +29,25 @@ Cost priorityOf(const Robot& robot, const Plan& plan) {
   return sum;
 }
 
+bool isBetter(const Robot& robot, Policy policy, const Plan& a, const Plan& b) {
+  if (policy == Policy::kPriority) return priorityOf(robot, a) < priorityOf(robot, b);
+  if (policy == Policy::kSafest && leastClearance(a) != leastClearance(b))
+    return leastClearance(a) > leastClearance(b);
+  return a.total_time_s < b.total_time_s;
+}
+
 /// Plans one request on one roadmap: search, shorten, time.
 class Answerer {
  public:
-  Answerer(const Planning& planning, const Request& request, const Attached& attached, Interrupt& interrupt)
+  Answerer(const Planning& planning, const Request& request, const Draft& graph, const Target& target,
+           Interrupt& interrupt)
       : planning_(planning),
         checker_(*planning.checker),
         request_(request),
-        attached_(attached),
+        graph_(graph),
+        target_(target),
         interrupt_(interrupt),
-        checks_(attached.graph, checker_),
-        keeping_{attached.graph.place(attached.target.start).keep_m,
-                 attached.graph.place(attached.target.goal).keep_m} {}
+        checks_(graph, checker_) {}
 
   /// A policy takes the best, by its own measure, of what the policies that matter to it have found. So
   /// priority never crawls further than fastest, and safest never comes closer than fastest, whatever
@@ -86,21 +94,20 @@ class Answerer {
     const Stances& stances = planning_.by_priority;
     for (const Segment& segment : plan.segments)
       if (stances.groupOf(segment.motion.mode) != stances.groupOf(0)) return true;
-    const double way_m = distance(request_.start.position(), request_.goal);
-    const double least_s = way_m / planning_.fastest.highestSpeed();
+    const double least_s = leastDistance() / planning_.fastest.highestSpeed();
     return plan.total_time_s > 0.0 && plan.total_time_s >= request_.max_detour * least_s;
   }
 
-  [[nodiscard]] bool isBetter(const Plan& a, const Plan& b) const {
-    if (request_.policy == Policy::kPriority)
-      return priorityOf(checker_.robot(), a) < priorityOf(checker_.robot(), b);
-    if (request_.policy == Policy::kSafest && leastClearance(a) != leastClearance(b))
-      return leastClearance(a) > leastClearance(b);
-    return a.total_time_s < b.total_time_s;
+  /// From the start to the nearest goal, as the crow flies.
+  [[nodiscard]] double leastDistance() const {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Target::Goal& goal : target_.goals)
+      least_m = std::min(least_m, distance(graph_.place(target_.start).at, graph_.place(goal.place).at));
+    return least_m;
   }
 
   void takeIfBetter(Plan& plan, const Plan& other) const {
-    if (isBetter(other, plan)) plan = other;
+    if (isBetter(checker_.robot(), request_.policy, other, plan)) plan = other;
   }
 
   void takeSafer(Plan& plan) {
@@ -112,8 +119,7 @@ class Answerer {
 
   std::optional<Passage> passageBy(const Stances& stances) {
     Pose reached;
-    auto passage =
-        search(attached_.graph, stances, checker_.robot(), checks_, attached_.target, interrupt_, &reached);
+    auto passage = search(graph_, stances, checker_.robot(), checks_, target_, interrupt_, &reached);
     if (!passage) nearest_ = reached;
     return passage;
   }
@@ -126,19 +132,23 @@ class Answerer {
     const bool is_same = similar && areSameWay(*on_roadmap, similar->on_roadmap);
     Passage begin = is_same ? similar->shortest : *on_roadmap;
     if (is_same) begin.cost = Cost::most();  // by this policy it is not known
-    Passage shortest = shortened(checker_, stances, std::move(begin), keeping_, interrupt_);
+    const Target::Goal& goal = target_.goals[on_roadmap->goal];
+    const Keeping keeping{graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
+    Passage shortest = shortened(checker_, stances, std::move(begin), keeping, interrupt_);
     if (interrupt_.isDueNow()) return std::nullopt;
     const Route route = routeOf(shortest);
     Plan plan =
         planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
+    plan.goal_index = goal.index;
     return Found{std::move(*on_roadmap), std::move(shortest), std::move(plan)};
   }
 
   static bool areSameWay(const Passage& a, const Passage& b) {
-    return std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
-                      [](const Passage::Step& x, const Passage::Step& y) {
-                        return x.option.in == y.option.in && x.option.out == y.option.out && x.way == y.way;
-                      });
+    return a.goal == b.goal && std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
+                                          [](const Passage::Step& x, const Passage::Step& y) {
+                                            return x.option.in == y.option.in &&
+                                                   x.option.out == y.option.out && x.way == y.way;
+                                          });
   }
 
   /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.
@@ -159,10 +169,10 @@ class Answerer {
   const Planning& planning_;
   const Checker& checker_;
   const Request& request_;
-  const Attached& attached_;
+  const Draft& graph_;
+  const Target& target_;
   Interrupt& interrupt_;
   LinkChecks checks_;
-  Keeping keeping_;
   std::optional<Pose> nearest_;
 };
 
@@ -178,17 +188,80 @@ double microsecondsSince(Interrupt::Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Interrupt::Clock::now() - start).count();
 }
 
+/// A goal of several, and how good a plan to it can be at best.
+struct Prospect {
+  Target target;
+  double most_m;   // of clearance, up to the enough
+  double least_s;  // that it takes
+};
+
+/// Each goal by itself, those first that may have the most clearance, and then those that are near.
+std::vector<Prospect> prospectsOf(const Planning& planning, const Request& request, const Target& target) {
+  constexpr double kTolerance_m = 0.01;  // a plan may end this far from the goal
+  const Checker& checker = *planning.checker;
+  const auto most_at = [&](ModeId mode, const Pose& pose) {
+    return checker.clearance(stay(mode, pose), kEnoughClearance_m);
+  };
+  const double at_start_m = most_at(request.start_mode, request.start);
+  const std::vector<Goal> goals = goalsOf(request);
+  std::vector<Prospect> prospects;
+  for (const Target::Goal& one : target.goals) {
+    const auto& [at, yaw, mode] = goals[one.index];
+    const double at_goal_m = yaw ? most_at(mode, {at.x, at.y, *yaw}) + kTolerance_m : kEnoughClearance_m;
+    const double way_m = std::max(0.0, distance(request.start.position(), at) - kTolerance_m);
+    prospects.push_back({{target.start, target.start_stance, {one}},
+                         std::min({at_start_m, at_goal_m, kEnoughClearance_m}),
+                         way_m > 0.0 ? way_m / planning.fastest.highestSpeed() : 0.0});
+  }
+  std::stable_sort(prospects.begin(), prospects.end(), [](const Prospect& a, const Prospect& b) {
+    return a.most_m > b.most_m || (a.most_m == b.most_m && a.least_s < b.least_s);
+  });
+  return prospects;
+}
+
+/// The safest plan to any of several goals. One search cannot tell which it is: a plan's clearance is more
+/// than what its search made sure of, by a little that differs from goal to goal. So each goal that may be
+/// better than the best so far is planned for by itself.
+Answer safestOfSeveral(const Planning& planning, const Request& request, const Attached& attached,
+                       Interrupt& interrupt) {
+  Answer best;
+  for (const Prospect& prospect : prospectsOf(planning, request, attached.target)) {
+    if (best.plan &&
+        (prospect.most_m < leastClearance(*best.plan) ||
+         (prospect.most_m == leastClearance(*best.plan) && prospect.least_s >= best.plan->total_time_s)))
+      continue;
+    Answerer answerer(planning, request, attached.graph, prospect.target, interrupt);
+    auto plan = answerer.best();
+    if (interrupt.isDueNow()) return {};
+    if (!best.nearest) best.nearest = answerer.nearest();
+    if (plan && (!best.plan || isBetter(planning.checker->robot(), request.policy, *plan, *best.plan)))
+      best.plan = std::move(plan);
+  }
+  return best;
+}
+
+/// The best plan, not certified yet, or the pose nearest to a goal that was reached.
+Answer best(const Planning& planning, const Request& request, const Attached& attached,
+            Interrupt& interrupt) {
+  if (request.policy == Policy::kSafest && attached.target.goals.size() > 1)
+    return safestOfSeveral(planning, request, attached, interrupt);
+  Answerer answerer(planning, request, attached.graph, attached.target, interrupt);
+  auto plan = answerer.best();
+  return {std::move(plan), std::nullopt, answerer.nearest()};
+}
+
 /// Answers with one effort; nothing when interrupted. The plan is empty when there is none or it has a fault,
-/// and `ended` is then the heading it ended at.
+/// and is then put into `flawed`.
 std::optional<Answer> answerWith(const Planning& planning, const Roadmap& roadmap, const Request& request,
-                                 Effort effort, Interrupt& interrupt, double& ended) {
+                                 Effort effort, Interrupt& interrupt, Plan& flawed) {
   const auto started = Interrupt::Clock::now();
   const auto attached = attach(*planning.checker, planning.fastest, roadmap, request, effort, interrupt);
   if (!attached) return std::nullopt;
-  Answerer answerer(planning, request, *attached, interrupt);
-  std::optional<Plan> plan = answerer.best();
-  if (!plan) return Answer{std::nullopt, std::nullopt, answerer.nearest()};
+  Answer found = best(planning, request, *attached, interrupt);
+  std::optional<Plan>& plan = found.plan;
+  if (!plan) return found;
   plan->revision = planning.checker->world().revision();
+  plan->world_hash = planning.checker->world().hash();
   plan->stats = {
       roadmap.node_count, roadmap.edge_count, roadmap.batches, 0.0, microsecondsSince(started), 0.0};
   const auto planned = Interrupt::Clock::now();
@@ -196,8 +269,8 @@ std::optional<Answer> answerWith(const Planning& planning, const Roadmap& roadma
   if (!flaws) return std::nullopt;
   plan->stats.certify_us = microsecondsSince(planned);
   if (flaws->empty()) return Answer{std::move(plan), std::nullopt, std::nullopt};
-  ended = plan->goal.yaw;
-  return Answer{std::nullopt, faultOf(flaws->front()), answerer.nearest()};
+  flawed = *std::move(plan);
+  return Answer{std::nullopt, faultOf(flaws->front()), found.nearest};
 }
 
 }  // namespace
@@ -206,14 +279,16 @@ Answer answer(const Planning& planning, const Roadmap& roadmap, const Request& r
               Interrupt& interrupt) {
   Answer last;
   for (const Effort effort : {Effort::kNearest, Effort::kLocalRoadmap}) {
-    double ended = 0.0;
-    auto result = answerWith(planning, roadmap, request, effort, interrupt, ended);
-    if (result && result->fault && !request.goal_yaw) {
-      // How close motions may come to a tight goal depends on the heading there, which was open: now it is
-      // known.
-      Request at_heading = request;
-      at_heading.goal_yaw = ended;
-      result = answerWith(planning, roadmap, at_heading, effort, interrupt, ended);
+    Plan flawed;
+    auto result = answerWith(planning, roadmap, request, effort, interrupt, flawed);
+    if (result && result->fault && (!request.goal_yaw || !request.other_goals.empty())) {
+      // How close motions may come to a tight goal depends on which it is and on the heading there, which
+      // were open: now they are known.
+      const std::uint32_t index = flawed.goal_index;
+      Goal goal = goalsOf(request)[index];
+      goal.yaw = flawed.goal.yaw;
+      result = answerWith(planning, roadmap, withGoals(request, {goal}), effort, interrupt, flawed);
+      if (result && result->plan) result->plan->goal_index = index;
     }
     if (!result) break;
     if (result->plan) return *std::move(result);

@@ -10,9 +10,10 @@
 
 namespace underway {
 
-/// What is wrong with a request before any planning: numbers that are not finite, modes the robot does not
-/// have, start or goal out of bounds or in collision (and with what).
-[[nodiscard]] std::optional<Error> refusal(const Checker& checker, const Request& request);
+/// The request with those of its goals that the robot can stand at, each once; or what is wrong before any
+/// planning: numbers that are not finite, modes the robot does not have, too many goals, start or all goals
+/// out of bounds or in collision (and with what).
+[[nodiscard]] Expected<Request> admitted(const Checker& checker, const Request& request);
 
 /// What answers need of the robot in a world, made once.
 struct Planning {

@@ -46,27 +46,36 @@ class Attachment {
   std::optional<Attached> attach(const Request& request, Effort effort, Interrupt& interrupt) {
     End start{End::Side::kStart, request.start_mode, request.start, true};
     start.place = sites_.add(start.mode, start.pose.position(), keepOf(start));
-    End goal = goalOf(request, start);
-    for (const End* end : {&start, &goal}) {
-      connectToRoadmap(end->place, effort == Effort::kNearest ? kNeighbours : kAllNeighbours);
-      leaveTightPlace(*end);
-      followLine(*end);
-      changeMode(*end);
-      if (effort == Effort::kLocalRoadmap) addLocalRoadmap(*end, interrupt);
-      if (interrupt.isDueNow()) return std::nullopt;
+    std::vector<End> goals;
+    for (const Goal& goal : goalsOf(request)) goals.push_back(endAt(goal, start));
+    if (!connect(start, effort, interrupt)) return std::nullopt;
+    for (const End& goal : goals)
+      if (!connect(goal, effort, interrupt)) return std::nullopt;
+    Target target{start.place, {start.pose.yaw, start.mode}, {}};
+    for (const End& goal : goals) {
+      join(start, goal);
+      const auto index = static_cast<std::uint32_t>(target.goals.size());
+      target.goals.push_back({goal.place, {goal.pose.yaw, goal.mode}, !goal.has_heading, index});
     }
-    join(start, goal);
-    const Target target{
-        start.place, {start.pose.yaw, start.mode}, goal.place, {goal.pose.yaw, goal.mode}, !goal.has_heading};
-    return Attached{std::move(draft_), target};
+    return Attached{std::move(draft_), std::move(target)};
   }
 
  private:
-  End goalOf(const Request& request, const End& start) {
+  /// False if interrupted.
+  [[nodiscard]] bool connect(const End& end, Effort effort, Interrupt& interrupt) {
+    connectToRoadmap(end.place, effort == Effort::kNearest ? kNeighbours : kAllNeighbours);
+    leaveTightPlace(end);
+    followLine(end);
+    changeMode(end);
+    if (effort == Effort::kLocalRoadmap) addLocalRoadmap(end, interrupt);
+    return !interrupt.isDueNow();
+  }
+
+  End endAt(const Goal& asked, const End& start) {
     End goal{End::Side::kGoal,
-             request.goal_mode,
-             {request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)},
-             request.goal_yaw.has_value()};
+             asked.mode,
+             {asked.at.x, asked.at.y, asked.yaw.value_or(0.0)},
+             asked.yaw.has_value()};
     if (const auto ahead = goalOnLineOf(start, goal)) {
       goal.pose = *ahead;
       goal.has_heading = true;

@@ -10,7 +10,7 @@
 
 namespace underway {
 
-/// A draft laid over the roadmap that holds a start and a goal, and where they are in it.
+/// A draft laid over the roadmap that holds a start and its goals, and where they are in it.
 struct Attached {
   Draft graph;
   Target target;
@@ -20,11 +20,11 @@ struct Attached {
 /// ends so cluttered that no straight leg leaves them.
 enum class Effort { kNearest, kLocalRoadmap };
 
-/// Attaches a request's start and goal to a roadmap without touching it: to their nearest places, straight
+/// Attaches a request's start and goals to a roadmap without touching it: to their nearest places, straight
 /// out of places too tight to turn in, and, in or into a mode that cannot turn, along its line. Legs are left
 /// unchecked, for the search to check those it wants. Empty when interrupted. The roadmap must outlive it.
 ///
-/// Precondition: start and goal are free and in bounds.
+/// Precondition: start and goals are free and in bounds.
 [[nodiscard]] std::optional<Attached> attach(const Checker& checker, const Stances& stances,
                                              const Roadmap& roadmap, const Request& request, Effort effort,
                                              Interrupt& interrupt);

@@ -24,7 +24,11 @@ bool isNear(double a, double b) { return std::abs(a - b) <= kSum * std::max(1.0,
 class Certificate {
  public:
   Certificate(const Plan& plan, const Request& request, const Checker& checker)
-      : plan_(plan), request_(request), checker_(checker), robot_(checker.robot()) {}
+      : plan_(plan),
+        request_(request),
+        goals_(goalsOf(request)),
+        checker_(checker),
+        robot_(checker.robot()) {}
 
   std::optional<std::vector<Flaw>> flaws(Interrupt& interrupt) {
     checkEnds();
@@ -53,12 +57,14 @@ class Certificate {
     at_ = plan_.segments.size();
     const Pose end = plan_.segments.empty() ? request_.start : plan_.segments.back().motion.to;
     const ModeId mode = plan_.segments.empty() ? request_.start_mode : plan_.segments.back().motion.to_mode;
-    if (const double off = distance(end.position(), request_.goal); !(off <= kGoal_m))
+    if (plan_.goal_index >= goals_.size()) return flaw("the plan leads to a goal that was not asked for");
+    const Goal& goal = goals_[plan_.goal_index];
+    if (const double off = distance(end.position(), goal.at); !(off <= kGoal_m))
       flaw("the plan ends {:.4f} m from the goal", off);
-    if (request_.goal_yaw && !(apart(end.yaw, *request_.goal_yaw) <= kGoal_rad))
-      flaw("the plan ends {:.4f} rad off the goal's heading", apart(end.yaw, *request_.goal_yaw));
+    if (goal.yaw && !(apart(end.yaw, *goal.yaw) <= kGoal_rad))
+      flaw("the plan ends {:.4f} rad off the goal's heading", apart(end.yaw, *goal.yaw));
     if (!(plan_.goal == end)) flaw("the goal it says it reaches is not where its last segment ends");
-    if (mode != request_.goal_mode) flaw("the plan does not end in the goal's mode");
+    if (mode != goal.mode) flaw("the plan does not end in the goal's mode");
   }
 
   void checkChain() {
@@ -180,6 +186,7 @@ class Certificate {
 
   const Plan& plan_;
   const Request& request_;
+  std::vector<Goal> goals_;
   const Checker& checker_;
   const Robot& robot_;
   std::size_t at_ = 0;

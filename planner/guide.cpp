@@ -7,7 +7,8 @@ namespace underway {
 
 using PlaceId = Roadmap::PlaceId;
 
-Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, PlaceId goal, Interrupt& interrupt)
+Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, std::span<const PlaceId> goals,
+             Interrupt& interrupt)
     : graph_(graph),
       stances_(stances),
       interrupt_(interrupt),
@@ -15,7 +16,7 @@ Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, PlaceId 
       us_per_m_(stances.highestSpeed() > 0.0 ? 1e6 / stances.highestSpeed() : 0.0),  // 0: it only turns
       least_(graph.placeCount(), Cost::most()),
       is_settled_(graph.placeCount(), 0) {
-  reach(goal, Cost());
+  for (const PlaceId goal : goals) reach(goal, Cost());
 }
 
 Cost Guide::from(PlaceId place) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planner/draft.hpp"
@@ -9,14 +10,14 @@
 
 namespace underway {
 
-/// A lower bound of what is left from each place to the goal: the cheapest way over links, as if turning and
-/// changing modes cost nothing. It is consistent under every policy, since a change at a place costs nothing
-/// less. Worked out as far as it is asked for, by A* from the goal towards the start.
+/// A lower bound of what is left from each place to the nearest of the goals: the cheapest way over links, as
+/// if turning and changing modes cost nothing. It is consistent under every policy, since a change at a place
+/// costs nothing less. Worked out as far as it is asked for, by A* from all goals towards the start.
 class Guide {
  public:
   /// All must outlive it.
-  Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start, Roadmap::PlaceId goal,
-        Interrupt& interrupt);
+  Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start,
+        std::span<const Roadmap::PlaceId> goals, Interrupt& interrupt);
 
   /// Cost::most() where no links lead to the goal, and everywhere once it is interrupted.
   [[nodiscard]] Cost from(Roadmap::PlaceId place);

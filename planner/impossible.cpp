@@ -26,7 +26,9 @@ std::optional<Error> provenImpossible(const Checker& checker, const Request& req
         .has_value();
   };
   const proof::Blame blame = proof::blame(checker, *proof, is_solvable, blaming);
+  const std::size_t goals = 1 + request.other_goals.size();
   std::string message = "no path exists";
+  if (goals > 1) message += " to any of " + std::to_string(goals) + " goals";
   if (!blame.sentence.empty()) message += ": " + blame.sentence;
   return Error{ErrorCode::kNoPathExists, std::move(message), blame.blocking};
 }

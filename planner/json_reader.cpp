@@ -67,6 +67,13 @@ std::uint64_t JsonReader::count(std::uint64_t largest) const {
   return 0;
 }
 
+bool JsonReader::flag() const {
+  if (value_ == nullptr) return false;
+  if (value_->is_boolean()) return value_->get<bool>();
+  refuse("must be true or false");
+  return false;
+}
+
 std::string JsonReader::text() const {
   if (value_ == nullptr) return {};
   if (value_->is_string() && value_->get_ref<const std::string&>().size() <= kLongestText)

@@ -42,6 +42,7 @@ class JsonReader {
   [[nodiscard]] std::optional<double> numberOrNull(double largest) const;
   [[nodiscard]] std::uint64_t count(std::uint64_t largest) const;
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] bool flag() const;
 
   void refuse(std::string_view what) const { fault_->note(path_, what); }
 

@@ -34,6 +34,7 @@ struct Passage {
   };
   std::vector<Step> steps;
   Cost cost;
+  std::size_t goal = 0;  ///< which of the target's (search.hpp) it leads to
 };
 
 /// The motions of a passage, chained bit for bit; empty if rounding spoils one.

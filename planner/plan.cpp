@@ -18,6 +18,20 @@ std::optional<Policy> findPolicy(std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<Goal> goalsOf(const Request& request) {
+  std::vector<Goal> goals{{request.goal, request.goal_yaw, request.goal_mode}};
+  goals.insert(goals.end(), request.other_goals.begin(), request.other_goals.end());
+  return goals;
+}
+
+Request withGoals(Request request, const std::vector<Goal>& goals) {
+  request.goal = goals.front().at;
+  request.goal_yaw = goals.front().yaw;
+  request.goal_mode = goals.front().mode;
+  request.other_goals.assign(goals.begin() + 1, goals.end());
+  return request;
+}
+
 Plan timedPlan(std::vector<Segment> segments, const Pose& start) {
   Plan plan;
   plan.goal = segments.empty() ? start : segments.back().motion.to;

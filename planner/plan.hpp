@@ -32,6 +32,17 @@ struct Segment {
   Closeness closeness;
 };
 
+/// Where to go, in the map frame.
+struct Goal {
+  Point at;                        ///< [m]
+  std::optional<double> yaw = {};  ///< [rad]; empty: any heading
+  ModeId mode = 0;
+  bool operator==(const Goal&) const = default;
+};
+
+/// A request has no more goals than this.
+inline constexpr std::size_t kMostGoals = 64;
+
 /// What a plan is asked for. Poses in the map frame.
 struct Request {
   Pose start;
@@ -41,7 +52,14 @@ struct Request {
   ModeId goal_mode = 0;
   Policy policy = Policy::kPriority;
   double max_detour = 3.0;  ///< kPriority takes the fastest plan when its own takes this many times as long
+  /// Goals that would do as well: the plan leads to the one that is best to reach by the policy.
+  std::vector<Goal> other_goals = {};
 };
+
+/// All goals of a request, `goal` first.
+[[nodiscard]] std::vector<Goal> goalsOf(const Request& request);
+/// The same request with other goals; at least one.
+[[nodiscard]] Request withGoals(Request request, const std::vector<Goal>& goals);
 
 /// How the answer came about.
 struct PlanStats {
@@ -61,7 +79,9 @@ struct Plan {
   double length_m = 0.0;      ///< sum of the translated lengths
   Pose goal;                  ///< where it ends, in the goal's mode
   PlanStats stats;
-  std::uint64_t revision = 0;  ///< of the world it was made in
+  std::uint64_t revision = 0;    ///< of the world it was made in
+  std::string world_hash = {};   ///< of that world
+  std::uint32_t goal_index = 0;  ///< of the goal it leads to, in goalsOf(request)
 };
 
 /// Durations and lengths summed over the segments.

@@ -50,24 +50,47 @@ Json jsonOf(const PlanStats& stats) {
           {"build_ms", stats.build_ms}, {"query_us", stats.query_us}, {"certify_us", stats.certify_us}};
 }
 
+Json jsonOf(const Goal& goal) { return {{"x", goal.at.x}, {"y", goal.at.y}, {"yaw", jsonOf(goal.yaw)}}; }
+
+std::string messageOf(const PlanDocument& document) {
+  if (!document.answer) return document.answer.error().message;
+  return document.choice ? document.choice->why : std::string();
+}
+
+/// All goals that would have done, and which of them it is.
+void addGoals(const PlanDocument& document, const std::vector<Goal>& goals, Json& json) {
+  if (document.answer) json["goal_index"] = document.answer->goal_index;
+  json["goals"] = Json::array();
+  for (const Goal& goal : goals) {
+    json["goals"].push_back(jsonOf(goal));
+    json["goals"].back()["mode"] = modeName(document, goal.mode);
+  }
+}
+
 /// What was asked, of which map and robot: the same for a plan and for a failure.
 Json headOf(const PlanDocument& document) {
   const Request& request = document.request;
   const bool ok = document.answer.has_value();
-  return {{"status", ok ? std::string_view("ok") : name(document.answer.error().code)},
-          {"message", ok ? std::string() : document.answer.error().message},
-          {"policy", name(request.policy)},
-          {"max_detour", request.max_detour},
-          {"robot", document.robot_name},
-          {"map", document.map_name},
-          {"revision", document.revision},
-          {"world_hash", document.world_hash},
-          {"robot_hash", document.robot_hash},
-          {"seed", document.seed},
-          {"start", jsonOf(request.start)},
-          {"start_mode", modeName(document, request.start_mode)},
-          {"goal", {{"x", request.goal.x}, {"y", request.goal.y}, {"yaw", jsonOf(request.goal_yaw)}}},
-          {"goal_mode", modeName(document, request.goal_mode)}};
+  const std::vector<Goal> goals = goalsOf(request);
+  // "goal" is the one that the plan leads to, for readers that know of one only.
+  const Goal& goal = goals.at(ok ? document.answer->goal_index : 0);
+  Json json{{"status", ok ? std::string_view("ok") : name(document.answer.error().code)},
+            {"message", messageOf(document)},
+            {"policy", name(request.policy)},
+            {"max_detour", request.max_detour},
+            {"robot", document.robot_name},
+            {"map", document.map_name},
+            {"revision", document.revision},
+            {"world_hash", document.world_hash},
+            {"robot_hash", document.robot_hash},
+            {"seed", document.seed},
+            {"start", jsonOf(request.start)},
+            {"start_mode", modeName(document, request.start_mode)},
+            {"goal", jsonOf(goal)},
+            {"goal_mode", modeName(document, goal.mode)}};
+  if (goals.size() > 1) addGoals(document, goals, json);
+  if (ok && document.choice) json["is_new"] = document.choice->is_new;
+  return json;
 }
 
 }  // namespace

@@ -1,12 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "planner/plan.hpp"
 
 namespace underway {
+
+/// How a plan was chosen when another one was being followed (replan.hpp).
+struct Choice {
+  bool is_new = true;  ///< or what is left of the one followed
+  std::string why;     ///< in a sentence
+};
 
 /// All that a plan file (formats: 'Plan') says: the plan or the failure, and what it was asked of.
 struct PlanDocument {
@@ -19,6 +26,7 @@ struct PlanDocument {
   std::string robot_hash;
   std::uint64_t seed = 0;
   Expected<Plan> answer;
+  std::optional<Choice> choice = {};  ///< of a plan that was asked for with one being followed
 };
 
 /// The file's text: JSON, numbers round-trip exact.

@@ -113,6 +113,12 @@ Error readFailure(const JsonReader& json, ErrorCode code, std::string message) {
   return error;
 }
 
+/// Without its mode.
+Goal readGoal(const JsonReader& json) {
+  return {{json["x"].number(World::kLargest_m), json["y"].number(World::kLargest_m)},
+          json["yaw"].numberOrNull(kLargestAngle_rad)};
+}
+
 Request readRequest(const JsonReader& json) {
   static constexpr std::array kPolicies{Policy::kPriority, Policy::kFastest, Policy::kSafest};
   Request request;
@@ -122,10 +128,28 @@ Request readRequest(const JsonReader& json) {
     request.max_detour =
         json["max_detour"].numberOrNull(kLargestStat).value_or(std::numeric_limits<double>::infinity());
   request.start = readPose(json["start"]);
-  const JsonReader goal = json["goal"];
-  request.goal = {goal["x"].number(World::kLargest_m), goal["y"].number(World::kLargest_m)};
-  request.goal_yaw = goal["yaw"].numberOrNull(kLargestAngle_rad);
+  request = withGoals(std::move(request), {readGoal(json["goal"])});
   return request;
+}
+
+/// The goals of a document that has several, `goal` being one of them. `mode_of` reads a mode.
+template <class ModeOf>
+void readGoals(const JsonReader& json, const ModeOf& mode_of, PlanDocument& document) {
+  const JsonReader goals = json["goals"];
+  const std::size_t count = goals.size(kMostGoals);
+  if (count == 0) goals.refuse("must hold one goal at least");
+  std::vector<Goal> all(std::max<std::size_t>(count, 1));
+  for (std::size_t i = 0; i < count; ++i) {
+    all[i] = readGoal(goals.element(i));
+    all[i].mode = mode_of(goals.element(i)["mode"]);
+  }
+  if (document.answer) {
+    const Goal led_to = goalsOf(document.request).front();
+    const std::uint64_t index = json["goal_index"].count(all.size() - 1);
+    if (index < all.size() && all[index] != led_to) json["goal"].refuse("is not the goal of that index");
+    document.answer->goal_index = static_cast<std::uint32_t>(index);
+  }
+  document.request = withGoals(std::move(document.request), all);
 }
 
 PlanDocument readDocument(const JsonReader& json, const Robot& robot) {
@@ -143,6 +167,11 @@ PlanDocument readDocument(const JsonReader& json, const Robot& robot) {
     document.request.start_mode = readMode(json["start_mode"], robot);
     document.request.goal_mode = readMode(json["goal_mode"], robot);
     document.answer = readPlan(json, robot, document.request.start);
+    document.answer->revision = document.revision;
+    document.answer->world_hash = document.world_hash;
+    const auto mode_of = [&](const JsonReader& mode) { return readMode(mode, robot); };
+    if (json.has("goals")) readGoals(json, mode_of, document);
+    if (json.has("is_new")) document.choice = Choice{json["is_new"].flag(), std::move(message)};
   } else {
     std::array<ErrorCode, kErrorCodeCount> codes;
     for (int i = 0; i < kErrorCodeCount; ++i) codes[i] = static_cast<ErrorCode>(i);
@@ -150,6 +179,10 @@ PlanDocument readDocument(const JsonReader& json, const Robot& robot) {
     document.request.goal_mode = readAnyMode(json["goal_mode"], document.mode_names);
     const ErrorCode code = readNamed(json["status"], codes, "status");
     document.answer = tl::unexpected(readFailure(json, code, std::move(message)));
+    document.answer.error().revision = document.revision;
+    document.answer.error().world_hash = document.world_hash;
+    const auto mode_of = [&](const JsonReader& mode) { return readAnyMode(mode, document.mode_names); };
+    if (json.has("goals")) readGoals(json, mode_of, document);
   }
   return document;
 }

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <optional>
@@ -33,6 +34,19 @@ std::string timeoutMessage(Planner::Clock::duration took, const Roadmap* roadmap
       "no plan found in {:.1f} s, with {} batches of roadmap{}; there may be none: give it more time, "
       "or look at the places with `underway query`",
       std::chrono::duration<double>(took).count(), roadmap ? roadmap->batches : 0U, reached);
+}
+
+/// Where a goal stands among those of a request that has it.
+std::uint32_t indexOf(const Goal& goal, const Request& request) {
+  const std::vector<Goal> goals = goalsOf(request);
+  return static_cast<std::uint32_t>(std::find(goals.begin(), goals.end(), goal) - goals.begin());
+}
+
+/// What a failure to reach some of the goals asked for says of the others; empty if there are none.
+std::string leftOut(std::size_t goals, std::size_t tried) {
+  if (goals == tried) return {};
+  return fmt::format("; of {} goals {} were not tried, for they were given twice or cannot be stood at",
+                     goals, goals - tried);
 }
 
 }  // namespace
@@ -198,7 +212,26 @@ Expected<Plan> Planner::findPlan(const Request& request, Clock::time_point deadl
 
 Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline, const std::stop_token& stop,
                              const Progress& progress, Proving proving) {
-  if (auto refused = refusal(*checker(), request)) return tl::unexpected(*std::move(refused));
+  std::shared_ptr<const Checker> world = checker();
+  Expected<Request> asked = request;
+  Expected<Plan> answer = plan(asked, world, deadline, stop, progress, proving);
+  if (answer) {
+    answer->goal_index = indexOf(goalsOf(*asked)[answer->goal_index], request);
+    return answer;
+  }
+  Error& error = answer.error();
+  error.revision = world->world().revision();
+  error.world_hash = world->world().hash();
+  if (asked) error.message += leftOut(goalsOf(request).size(), goalsOf(*asked).size());
+  return answer;
+}
+
+Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Checker>& world,
+                             Clock::time_point deadline, const std::stop_token& stop,
+                             const Progress& progress, Proving proving) {
+  const Request request = *asked;
+  asked = admitted(*world, request);
+  if (!asked) return tl::unexpected(asked.error());
   const auto started = Clock::now();
   Interrupt interrupt(deadline, stop);
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
@@ -210,15 +243,17 @@ Expected<Plan> Planner::plan(const Request& request, Clock::time_point deadline,
   while (!interrupt.isDueNow()) {
     const Snapshot now = state_->current();
     if (!now.roadmap) break;
-    if (auto refused = refusal(*now.planning->checker, request)) return tl::unexpected(*std::move(refused));
-    last = answer(*now.planning, *now.roadmap, request, interrupt);
+    world = now.planning->checker;
+    asked = admitted(*world, request);
+    if (!asked) return tl::unexpected(asked.error());
+    last = answer(*now.planning, *now.roadmap, *asked, interrupt);
     if (last.plan) {
       last.plan->stats.build_ms = state_->build_ms;
       return *std::move(last.plan);
     }
     if (may_be_proven && !last.fault) {
       Interrupt a_third(Clock::now() + (deadline - Clock::now()) / 3, stop);
-      if (auto no = provenImpossible(*now.planning->checker, request, state_->settings, a_third, interrupt))
+      if (auto no = provenImpossible(*world, *asked, state_->settings, a_third, interrupt))
         return tl::unexpected(*std::move(no));
       // What was given up before its time is up cannot be proven; else there is one more try, later.
       may_be_proven = a_third.isDueNow() && !std::exchange(is_second_try, true);

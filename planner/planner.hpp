@@ -44,11 +44,13 @@ class Planner {
   /// has grown. Goes on where it stopped, also after `load`.
   void prepare(Clock::time_point deadline, const Progress& progress = {}, const std::stop_token& stop = {});
 
-  /// A certified plan, or why there is none: start or goal in collision or out of bounds, kNoPathExists with
-  /// what is to blame, kTimeout with the nearest pose that was reached, kCancelled, kInvalidRequest. If there
-  /// is no roadmap yet it grows one first, for half of the time at most (and tells `progress`). If the
-  /// roadmap does not hold a plan, it tries to prove that there is none, and grows batch by batch until there
-  /// is one or the deadline passes.
+  /// A certified plan to the best of the request's goals, or why there is none: start or all goals in
+  /// collision or out of bounds, kNoPathExists with what is to blame, kTimeout with the nearest pose that was
+  /// reached, kCancelled, kInvalidRequest. Goals that cannot be stood at are left out as long as there are
+  /// others; that no path exists is told only if none leads to any of the rest. Plan and error name the world
+  /// they are about. If there is no roadmap yet it grows one first, for half of the time at most (and tells
+  /// `progress`). If the roadmap does not hold a plan, it tries to prove that there is none, and grows batch
+  /// by batch until there is one or the deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
   /// The same without trying to prove anything.
@@ -68,6 +70,10 @@ class Planner {
   enum class Proving { kNo, kYes };
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop, const Progress& progress, Proving proving);
+  /// `asked` becomes what was asked for in the end (`admitted`), `world` the one the answer is about.
+  [[nodiscard]] Expected<Plan> plan(Expected<Request>& asked, std::shared_ptr<const Checker>& world,
+                                    Clock::time_point deadline, const std::stop_token& stop,
+                                    const Progress& progress, Proving proving);
 
   struct State;
   std::unique_ptr<State> state_;

@@ -24,7 +24,8 @@ double heightBelow(const World& world, const std::string& id) {
   return std::max(0.0, lowest - world.floorZ());
 }
 
-Error collision(const Checker& checker, ErrorCode code, const char* end, ModeId mode, const Pose& pose) {
+Error collision(const Checker& checker, ErrorCode code, const std::string& end, ModeId mode,
+                const Pose& pose) {
   const std::string& mode_name = checker.robot().modes[mode].name;
   const double height = checker.robot().modes[mode].body_m.z.max;
   Error error{code, {}, {}};
@@ -37,7 +38,7 @@ Error collision(const Checker& checker, ErrorCode code, const char* end, ModeId 
   return error;
 }
 
-std::optional<Error> refusalOf(const Checker& checker, const char* end, ModeId mode, const Pose& pose,
+std::optional<Error> refusalOf(const Checker& checker, const std::string& end, ModeId mode, const Pose& pose,
                                ErrorCode out_of_bounds, ErrorCode in_collision) {
   const Motion standing = stay(mode, pose);
   if (!checker.isInBounds(standing))
@@ -51,12 +52,12 @@ std::optional<Error> refusalOf(const Checker& checker, const char* end, ModeId m
   return collision(checker, in_collision, end, mode, pose);
 }
 
-std::optional<Error> refusalOfGoal(const Checker& checker, const Request& request) {
+std::optional<Error> refusalOfGoal(const Checker& checker, const Goal& goal, const std::string& called) {
   const auto refusal_at = [&](double yaw) {
-    return refusalOf(checker, "goal", request.goal_mode, {request.goal.x, request.goal.y, yaw},
-                     ErrorCode::kGoalOutOfBounds, ErrorCode::kGoalInCollision);
+    return refusalOf(checker, called, goal.mode, {goal.at.x, goal.at.y, yaw}, ErrorCode::kGoalOutOfBounds,
+                     ErrorCode::kGoalInCollision);
   };
-  if (request.goal_yaw) return refusal_at(*request.goal_yaw);
+  if (goal.yaw) return refusal_at(*goal.yaw);
   std::optional<Error> first;
   for (int i = 0; i < kHeadings; ++i) {
     const auto refusal = refusal_at(2.0 * std::numbers::pi * i / kHeadings);
@@ -69,26 +70,66 @@ std::optional<Error> refusalOfGoal(const Checker& checker, const Request& reques
   return first;
 }
 
+/// What none of several goals can be stood at for, in a sentence for each of the first few.
+Error refusalOfAll(const std::vector<Error>& refused) {
+  constexpr std::size_t kMostTold = 4;
+  if (refused.size() == 1) return refused.front();
+  Error error{refused.front().code, fmt::format("none of the {} goals can be stood at", refused.size()), {}};
+  for (std::size_t i = 0; i < std::min(refused.size(), kMostTold); ++i) {
+    error.message += (i == 0 ? ": " : "; ") + refused[i].message;
+    error.blocking.insert(error.blocking.end(), refused[i].blocking.begin(), refused[i].blocking.end());
+  }
+  if (refused.size() > kMostTold) error.message += fmt::format("; {} more", refused.size() - kMostTold);
+  return error;
+}
+
+Expected<std::vector<Goal>> admittedGoals(const Checker& checker, const std::vector<Goal>& goals) {
+  std::vector<Goal> admitted;
+  std::vector<Error> refused;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (std::find(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(i), goals[i]) !=
+        goals.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;  // asked for already
+    const std::string called = goals.size() == 1 ? "goal" : fmt::format("goal {}", i + 1);
+    if (auto refusal = refusalOfGoal(checker, goals[i], called))
+      refused.push_back(*std::move(refusal));
+    else
+      admitted.push_back(goals[i]);
+  }
+  if (admitted.empty()) return tl::unexpected(refusalOfAll(refused));
+  return admitted;
+}
+
+/// What is wrong with a request whatever the world is like; empty if nothing is.
+std::string faultOf(const Request& request, const std::vector<Goal>& goals, std::size_t mode_count) {
+  if (!isFinite(request.start))
+    return "the start pose must be finite numbers (m, m, rad), the yaw within 1e6";
+  if (request.start_mode >= mode_count) return "the start's mode is not one of the robot's";
+  if (goals.size() > kMostGoals)
+    return fmt::format("a request may have {} goals, this one has {}; ask for fewer at once", kMostGoals,
+                       goals.size());
+  for (const Goal& goal : goals) {
+    if (!isFinite({goal.at.x, goal.at.y, goal.yaw.value_or(0.0)}))
+      return "the goal must be finite numbers (m, m, rad), the yaw within 1e6";
+    if (goal.mode >= mode_count) return "the goal's mode is not one of the robot's";
+  }
+  if (!(request.max_detour >= 1.0))
+    return "the largest detour must be 1 or more times the fastest plan's time";
+  return {};
+}
+
 }  // namespace
 
-std::optional<Error> refusal(const Checker& checker, const Request& request) {
-  const Pose goal{request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)};
-  const auto invalid = [](std::string message) {
-    return Error{ErrorCode::kInvalidRequest, std::move(message), {}};
-  };
-  if (!isFinite(request.start))
-    return invalid("the start pose must be finite numbers (m, m, rad), the yaw within 1e6");
-  if (!isFinite(goal)) return invalid("the goal must be finite numbers (m, m, rad), the yaw within 1e6");
-  if (request.start_mode >= checker.robot().modes.size())
-    return invalid("the start's mode is not one of the robot's");
-  if (request.goal_mode >= checker.robot().modes.size())
-    return invalid("the goal's mode is not one of the robot's");
-  if (!(request.max_detour >= 1.0))
-    return invalid("the largest detour must be 1 or more times the fastest plan's time");
+Expected<Request> admitted(const Checker& checker, const Request& request) {
+  const std::vector<Goal> goals = goalsOf(request);
+  if (std::string fault = faultOf(request, goals, checker.robot().modes.size()); !fault.empty())
+    return fail(ErrorCode::kInvalidRequest, std::move(fault));
   if (auto refused = refusalOf(checker, "start", request.start_mode, request.start,
                                ErrorCode::kStartOutOfBounds, ErrorCode::kStartInCollision))
-    return refused;
-  return refusalOfGoal(checker, request);
+    return tl::unexpected(*std::move(refused));
+  return admittedGoals(checker, goals).map([&](const std::vector<Goal>& some) {
+    return withGoals(request, some);
+  });
 }
 
 }  // namespace underway

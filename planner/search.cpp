@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "planner/guide.hpp"
@@ -32,16 +33,16 @@ class Search {
         checks_(checks),
         target_(target),
         interrupt_(interrupt),
-        guide_(graph, stances, target.start, target.goal, interrupt),
+        guide_(graph, stances, target.start, placesOf(target), interrupt),
         stride_(static_cast<StateId>(stances.mostWays())),
         states_(tableOfThisThread()),
         end_(1 + graph.linkCount() * stride_),
         left_last_(graph.placeCount(), Roadmap::kNone),
-        nearest_m_(distance(graph.place(target.start).at, graph.place(target.goal).at)),
+        nearest_m_(toGoal(graph.place(target.start).at)),
         nearest_(0) {}
 
   std::optional<Passage> cheapest() {
-    states_.begin(end_ + 1);
+    states_.begin(end_ + static_cast<StateId>(target_.goals.size()));
     arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
     while (!open_.empty() && !interrupt_.isDue()) {
       const StateId here = open_.front().state;
@@ -49,7 +50,7 @@ class Search {
       open_.pop_back();
       if (states_[here].is_settled) continue;
       states_[here].is_settled = 1;
-      if (here == end_) return passageTo(states_[here].parent);
+      if (here >= end_) return passageTo(here);
       if (!isFree(here)) continue;
       notice(here);
       if (!isSurpassed(here)) leave(here);
@@ -64,6 +65,12 @@ class Search {
   }
 
  private:
+  static std::vector<PlaceId> placesOf(const Target& target) {
+    std::vector<PlaceId> places;
+    for (const Target::Goal& goal : target.goals) places.push_back(goal.place);
+    return places;
+  }
+
   static StateTable& tableOfThisThread() {
     thread_local StateTable table;
     return table;
@@ -100,15 +107,23 @@ class Search {
     return graph_.place(place).turns_freely && stances_.atLeast() <= robot_.margin_m;
   }
 
+  /// How far the nearest goal is away.
+  [[nodiscard]] double toGoal(Point at) const {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Target::Goal& goal : target_.goals)
+      least_m = std::min(least_m, distance(at, graph_.place(goal.place).at));
+    return least_m;
+  }
+
   void notice(StateId state) {
-    const double away_m = distance(graph_.place(placeOf(state)).at, graph_.place(target_.goal).at);
+    const double away_m = toGoal(graph_.place(placeOf(state)).at);
     if (away_m < nearest_m_) nearest_m_ = away_m, nearest_ = state;
   }
 
   void arrive(StateId state, StateId parent, Cost cost, Cost left) {
     SearchState& at = states_[state];
     if (at.is_settled != 0 || cost >= at.cost || left == Cost::most()) return;
-    if (cost + left >= states_[end_].cost && state != end_) return;
+    if (cost + left >= best_) return;
     at.cost = cost;
     at.parent = parent;
     open_.push_back({cost + left, state});
@@ -154,13 +169,19 @@ class Search {
       else
         walk(here, place, stance, id, ways);
     });
-    const Legs& legs = legsAt(place);
-    const Cost cost = states_[here].cost;
-    if (place == target_.goal) {
-      const Stance to{target_.any_heading ? stance.yaw : target_.goal_stance.yaw, target_.goal_stance.mode};
-      if (const Cost changed = freeChange(here, place, legs, stance, to); changed != Cost::most())
-        arrive(end_, here, cost + changed, Cost());
+    for (std::size_t i = 0; i < target_.goals.size(); ++i) {
+      const Target::Goal& goal = target_.goals[i];
+      if (goal.place != place) continue;
+      const Stance to{goal.any_heading ? stance.yaw : goal.stance.yaw, goal.stance.mode};
+      const Cost changed = freeChange(here, place, legsAt(place), stance, to);
+      if (changed != Cost::most()) end(static_cast<StateId>(i), here, states_[here].cost + changed);
     }
+  }
+
+  /// At a goal: nothing that costs as much can lead to a better one.
+  void end(StateId goal, StateId here, Cost cost) {
+    arrive(end_ + goal, here, cost, Cost());
+    best_ = std::min(best_, cost);
   }
 
   void cross(StateId here, PlaceId place, const Stance& stance, LinkId id) {
@@ -230,12 +251,14 @@ class Search {
             crossing.cost(stances_.policy())};
   }
 
-  /// The steps along the states that lead to one: a leg that a crossing follows leads straight to its entry.
-  [[nodiscard]] Passage passageTo(StateId last) {
+  /// The steps along the states that lead to an end: a leg that a crossing follows leads straight to its
+  /// entry.
+  [[nodiscard]] Passage passageTo(StateId end) {
     std::vector<StateId> states;
-    for (StateId state = last; state != 0; state = states_[state].parent) states.push_back(state);
+    for (StateId state = states_[end].parent; state != 0; state = states_[state].parent)
+      states.push_back(state);
     std::reverse(states.begin(), states.end());
-    Passage passage{{}, states_[end_].cost};
+    Passage passage{{}, states_[end].cost, end - end_};
     const Roadmap::Place& start = graph_.place(target_.start);
     const Pose from{start.at.x, start.at.y, target_.start_stance.yaw};
     passage.steps.push_back({{from,
@@ -276,18 +299,11 @@ class Search {
       const bool is_last = i + 1 == states.size();
       if (!is_crossing_next && !is_last) step_to(optionAt(link.to));
     }
-    const Roadmap::Place& goal = graph_.place(target_.goal);
-    const Pose to{goal.at.x, goal.at.y, target_.goal_stance.yaw};
-    if (legs == nullptr || !way) legs = &legsAt(target_.goal);
-    step_to({to,
-             to,
-             target_.goal_stance.mode,
-             target_.goal_stance.mode,
-             false,
-             target_.any_heading,
-             goal.keep_m,
-             {},
-             {}});
+    const Target::Goal& goal = target_.goals[passage.goal];
+    const Roadmap::Place& at = graph_.place(goal.place);
+    const Pose to{at.at.x, at.at.y, goal.stance.yaw};
+    if (legs == nullptr || !way) legs = &legsAt(goal.place);
+    step_to({to, to, goal.stance.mode, goal.stance.mode, false, goal.any_heading, at.keep_m, {}, {}});
     return passage;
   }
 
@@ -299,8 +315,9 @@ class Search {
   Interrupt& interrupt_;
   Guide guide_;
   StateId stride_;
-  StateTable& states_;  // the start, each way of each link, the end
-  StateId end_;
+  StateTable& states_;              // the start, each way of each link, an end for each goal
+  StateId end_;                     // the first one
+  Cost best_ = Cost::most();        // at any of them
   std::vector<StateId> left_last_;  // of each place
   std::vector<TurningRoom> rooms_;
   std::vector<Open> open_;  // a heap

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "planner/draft.hpp"
 #include "planner/interrupt.hpp"
@@ -12,11 +14,16 @@ namespace underway {
 
 /// Where a search begins and what it is to find, in a draft over the roadmap.
 struct Target {
+  /// One of the goals, each of which will do.
+  struct Goal {
+    Roadmap::PlaceId place = 0;
+    Stance stance;
+    bool any_heading = false;
+    std::uint32_t index = 0;  ///< in the request
+  };
   Roadmap::PlaceId start = 0;
   Stance start_stance;
-  Roadmap::PlaceId goal = 0;
-  Stance goal_stance;
-  bool any_heading = false;  ///< at the goal
+  std::vector<Goal> goals;
 };
 
 /// Remembers which links are free, over all searches on one draft: those that are not checked yet, and all
@@ -38,9 +45,10 @@ class LinkChecks {
   std::unordered_map<std::uint64_t, Known> known_;
 };
 
-/// The cheapest way, by A* under the policy of `stances` with the Guide as its bound; empty when there is
-/// none or it was interrupted. Links that are not checked yet are checked when they come up first in the
-/// queue, so that few need to be. `nearest`, if given, is set to the pose nearest the goal that was reached.
+/// The cheapest way to any of the goals, by A* under the policy of `stances` with the Guide as its bound;
+/// empty when there is none or it was interrupted. Links that are not checked yet are checked when they come
+/// up first in the queue, so that few need to be. `nearest`, if given, is set to the pose nearest the goal
+/// that was reached.
 [[nodiscard]] std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,
                                             LinkChecks& checks, const Target& target, Interrupt& interrupt,
                                             Pose* nearest = nullptr);

@@ -4,15 +4,11 @@
 #include <memory>
 
 #include "planner/plan_document.hpp"
+#include "server/client_settings.hpp"
 #include "server/domain.hpp"
 #include "server/question.hpp"
 
 namespace underway {
-
-struct PlanClientSettings {
-  std::chrono::milliseconds discovery{3000};    ///< how long to look for a server
-  std::chrono::milliseconds first_resend{100};  ///< doubles with every resend, up to 1 s
-};
 
 /// Asks a plan server over DDS. Needs no robot file: the reply names the modes.
 /// Thread safety: none; one client a thread. Clients of one process share its Domain.

@@ -3,36 +3,13 @@
 
 #include "server/convert.hpp"
 #include "server/wire_limits.hpp"
+#include "server/wire_memory.hpp"
 
 namespace underway {
 namespace {
 
 // Each reader returns false at the first thing that is wrong.
-
-bool read(const char* wire, std::string& text) {
-  if (wire == nullptr) return false;
-  const std::size_t size = ::strnlen(wire, kLongestText + 1);
-  text.assign(wire, std::min(size, kLongestText));
-  return size <= kLongestText;
-}
-
-bool read(const bool& wire, bool& flag) {
-  const auto byte = bitsOf<std::uint8_t>(wire);  // a bool that holds neither 0 nor 1 must not be used
-  flag = byte == 1;
-  return byte <= 1;
-}
-
-template <class Ours, class Wire>
-bool read(const Wire& wire, Ours last, Ours& value) {
-  const auto number = bitsOf<std::uint32_t>(wire);  // nor an enumerator that does not exist
-  value = static_cast<Ours>(number);
-  return number <= static_cast<std::uint32_t>(last);
-}
-
-template <class Sequence>
-bool isCounted(const Sequence& sequence, std::size_t most) {
-  return sequence._length <= most && (sequence._length == 0 || sequence._buffer != nullptr);
-}
+using underway::read;
 
 Pose poseOf(const underway_Pose& wire) { return {wire.x_m, wire.y_m, wire.yaw_rad}; }
 
@@ -65,14 +42,18 @@ bool read(const underway_PlanReply& wire, std::size_t mode_count, Plan& plan) {
   plan.total_time_s = wire.total_time_s;
   plan.length_m = wire.length_m;
   plan.goal = poseOf(wire.goal);
+  plan.goal_index = wire.goal_index;
+  plan.revision = wire.revision;
   const underway_PlanStats& stats = wire.stats;
   plan.stats = {stats.nodes, stats.edges, stats.batches, stats.build_ms, stats.query_us, stats.certify_us};
-  return faultOf(plan, mode_count).empty();
+  return read(wire.world_hash, plan.world_hash) && faultOf(plan, mode_count).empty();
 }
 
 bool read(const underway_PlanReply& wire, Error& error) {
   if (!read(wire.code, ErrorCode::kInternal, error.code) || !read(wire.message, error.message)) return false;
   if (!isCounted(wire.blocking, kMostBlocking)) return false;
+  error.revision = wire.revision;
+  if (!read(wire.world_hash, error.world_hash)) return false;
   error.blocking.resize(wire.blocking._length);
   for (std::size_t i = 0; i < error.blocking.size(); ++i) {
     const underway_Blocking& from = wire.blocking._buffer[i];
@@ -107,6 +88,12 @@ bool readAnswer(const underway_PlanReply& wire, PlanDocument& document) {
     document.answer = std::move(plan);
   else
     document.answer = tl::unexpected(std::move(error));
+  bool has_choice = false;
+  Choice choice;
+  if (!read(wire.has_choice, has_choice) || !read(wire.is_new, choice.is_new) ||
+      !read(wire.message, choice.why))
+    return false;
+  if (ok && has_choice) document.choice = std::move(choice);
   return true;
 }
 
@@ -117,26 +104,40 @@ std::optional<ModeId> findMode(const std::vector<std::string>& names, const std:
   return static_cast<ModeId>(found - names.begin());
 }
 
+/// A question in the server's modes; empty if it names others.
+std::optional<Request> requestOf(const Question& question, const std::vector<std::string>& modes) {
+  const std::optional<ModeId> start_mode = findMode(modes, question.start_mode);
+  const std::optional<ModeId> goal_mode = findMode(modes, question.goal_mode);
+  if (!start_mode || !goal_mode) return std::nullopt;
+  Request request{.start = question.start,
+                  .start_mode = *start_mode,
+                  .goal = question.goal,
+                  .goal_yaw = question.goal_yaw,
+                  .goal_mode = *goal_mode,
+                  .policy = question.policy,
+                  .max_detour = question.max_detour};
+  for (const NamedGoal& goal : question.other_goals) {
+    const std::optional<ModeId> mode = findMode(modes, goal.mode);
+    if (!mode) return std::nullopt;
+    request.other_goals.push_back({goal.at, goal.yaw, *mode});
+  }
+  return request;
+}
+
 }  // namespace
 
 Expected<PlanDocument> fromWire(const underway_PlanReply& wire, const Question& question) {
   PlanDocument document;
-  if (!read(wire, document) || !readAnswer(wire, document))
+  if (!read(wire, document) || !readAnswer(wire, document) ||
+      (document.answer && document.answer->goal_index > question.other_goals.size()))
     return fail(ErrorCode::kInternal,
                 "the server's reply is malformed: check that server and client are of the same version");
-  const std::optional<ModeId> start_mode = findMode(document.mode_names, question.start_mode);
-  const std::optional<ModeId> goal_mode = findMode(document.mode_names, question.goal_mode);
-  if (!start_mode || !goal_mode) {
+  const std::optional<Request> request = requestOf(question, document.mode_names);
+  if (!request) {
     if (!document.answer) return tl::unexpected(document.answer.error());
     return fail(ErrorCode::kInternal, "the server planned with a mode that it does not have");
   }
-  document.request = {.start = question.start,
-                      .start_mode = *start_mode,
-                      .goal = question.goal,
-                      .goal_yaw = question.goal_yaw,
-                      .goal_mode = *goal_mode,
-                      .policy = question.policy,
-                      .max_detour = question.max_detour};
+  document.request = *request;
   return document;
 }
 

@@ -3,29 +3,15 @@
 #include <cstring>
 
 #include "server/convert.hpp"
+#include "server/convert_following.hpp"
 #include "server/wire_limits.hpp"
+#include "server/wire_memory.hpp"
 
 namespace underway {
 namespace {
 
 constexpr double kLargestYaw_rad = 1000.0;
 constexpr std::int32_t kLongestDeadline_ms = 600'000;
-
-/// The text of a bounded string, or nothing if its end is missing.
-template <std::size_t N>
-std::optional<std::string_view> textOf(const char (&field)[N]) {
-  const void* end = std::memchr(field, '\0', N);
-  if (end == nullptr) return std::nullopt;
-  return std::string_view(field, static_cast<std::size_t>(static_cast<const char*>(end) - field));
-}
-
-/// Whether the text fits the field, end and all; a '\0' inside would shorten it on the wire.
-template <std::size_t N>
-bool copyText(std::string_view text, char (&field)[N]) {
-  if (text.size() >= N || text.find('\0') != std::string_view::npos) return false;
-  std::copy(text.begin(), text.end(), field);
-  return true;
-}
 
 bool isWithin(double value, double largest) { return std::abs(value) <= largest; }  // false for NaN
 
@@ -67,6 +53,51 @@ Expected<Policy> policyOf(std::optional<std::string_view> text) {
   return fail(ErrorCode::kInvalidRequest, "policy is not known: choose priority, fastest or safest");
 }
 
+/// "goal_x_m must be ..." of another goal; empty if nothing is wrong.
+std::string faultOfGoal(const underway_Goal& goal) {
+  if (!isWithin(goal.x_m, World::kLargest_m) || !isWithin(goal.y_m, World::kLargest_m))
+    return "x_m and y_m must be numbers from -100000 to 100000 m";
+  if (bitsOf<std::uint8_t>(goal.has_yaw) > 1) return "has_yaw must be 0 or 1";
+  if (goal.has_yaw && !isWithin(goal.yaw_rad, kLargestYaw_rad))
+    return "yaw_rad must be a number from -1000 to 1000 rad";
+  return {};
+}
+
+std::string nameOf(std::string list, std::size_t i) {
+  return list.append("[").append(std::to_string(i)).append("]");
+}
+
+constexpr const char* kTooManyGoals =
+    "other_goals must be 63 at most, beside the first: ask for fewer at once";
+
+/// Returns what is wrong; empty if nothing is.
+std::string writeGoals(const std::vector<NamedGoal>& goals, underway_PlanRequest& wire) {
+  if (goals.size() >= kMostGoals) return kTooManyGoals;
+  const auto all = allocate(wire.other_goals, goals.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const NamedGoal& goal = goals[i];
+    all[i] = {goal.at.x, goal.at.y, goal.yaw.has_value(), goal.yaw.value_or(0.0), {}};
+    if (!copyText(goal.mode, all[i].mode)) return nameOf("other_goals", i) + ".mode must be a mode's name";
+    if (const std::string fault = faultOfGoal(all[i]); !fault.empty())
+      return nameOf("other_goals", i) + ": " + fault;
+  }
+  return {};
+}
+
+Expected<std::vector<Goal>> otherGoalsOf(const underway_PlanRequest& wire, const Robot& robot) {
+  if (!isCounted(wire.other_goals, kMostGoals - 1)) return fail(ErrorCode::kInvalidRequest, kTooManyGoals);
+  std::vector<Goal> goals;
+  for (std::size_t i = 0; i < wire.other_goals._length; ++i) {
+    const underway_Goal& goal = wire.other_goals._buffer[i];
+    if (const std::string fault = faultOfGoal(goal); !fault.empty())
+      return fail(ErrorCode::kInvalidRequest, nameOf("other_goals", i) + ": " + fault);
+    const Expected<ModeId> mode = modeOf(nameOf("other_goals", i) + ".mode", textOf(goal.mode), robot);
+    if (!mode) return tl::unexpected(mode.error());
+    goals.push_back({{goal.x_m, goal.y_m}, goal.has_yaw ? std::optional(goal.yaw_rad) : std::nullopt, *mode});
+  }
+  return goals;
+}
+
 }  // namespace
 
 bool isRobotName(std::string_view text) {
@@ -81,13 +112,18 @@ RequestId idOf(const underway_RequestId& wire) {
   return id;
 }
 
-std::string partitionOf(const underway_PlanRequest& wire) {
-  const std::optional<std::string_view> robot = textOf(wire.robot);
-  return robot && isRobotName(*robot) ? std::string(*robot) : std::string();
+std::string partitionOf(const WireName& robot) {
+  const std::optional<std::string_view> text = textOf(robot);
+  return text && isRobotName(*text) ? std::string(*text) : std::string();
 }
 
-Expected<underway_PlanRequest> toWire(const RequestId& id, const Question& question) {
-  underway_PlanRequest wire{};
+void FreeRequest::operator()(underway_PlanRequest* request) const {
+  dds_sample_free(request, &underway_PlanRequest_desc, DDS_FREE_ALL);
+}
+
+Expected<WireRequest> toWire(const RequestId& id, const Question& question) {
+  WireRequest request(allocate<underway_PlanRequest>());
+  underway_PlanRequest& wire = *request;
   std::copy(id.client.begin(), id.client.end(), std::begin(wire.id.client));
   wire.id.number = id.sequence;
   if (!isRobotName(question.robot) || !copyText(question.robot, wire.robot))
@@ -95,7 +131,7 @@ Expected<underway_PlanRequest> toWire(const RequestId& id, const Question& quest
   if (!copyText(question.start_mode, wire.start_mode) || !copyText(question.goal_mode, wire.goal_mode))
     return fail(ErrorCode::kInvalidRequest,
                 "start_mode and goal_mode must be names of at most 64 characters");
-  copyText(name(question.policy), wire.policy);
+  (void)copyText(name(question.policy), wire.policy);
   wire.start = {question.start.x, question.start.y, question.start.yaw};
   wire.goal_x_m = question.goal.x;
   wire.goal_y_m = question.goal.y;
@@ -104,13 +140,16 @@ Expected<underway_PlanRequest> toWire(const RequestId& id, const Question& quest
   wire.max_detour = question.max_detour;
   wire.deadline_ms = static_cast<std::int32_t>(
       std::clamp<std::chrono::milliseconds::rep>(question.deadline.count(), 0, kLongestDeadline_ms + 1));
-  if (const std::string fault = faultOfNumbers(wire); !fault.empty())
-    return fail(ErrorCode::kInvalidRequest, fault);
-  return wire;
+  wire.kind = static_cast<underway_RequestKind>(question.purpose);
+  std::string fault = faultOfNumbers(wire);
+  if (fault.empty()) fault = writeGoals(question.other_goals, wire);
+  if (fault.empty() && question.purpose != Purpose::kPlan) fault = write(question.followed, wire.following);
+  if (!fault.empty()) return fail(ErrorCode::kInvalidRequest, fault);
+  return request;
 }
 
 Expected<Received> fromWire(const underway_PlanRequest& wire, const Robot& robot) {
-  if (partitionOf(wire).empty())
+  if (partitionOf(wire.robot).empty())
     return fail(ErrorCode::kInvalidRequest, "robot must be 1 to 64 of A-Z a-z 0-9 _ -");
   if (const std::string fault = faultOfNumbers(wire); !fault.empty())
     return fail(ErrorCode::kInvalidRequest, fault);
@@ -120,16 +159,24 @@ Expected<Received> fromWire(const underway_PlanRequest& wire, const Robot& robot
   if (!goal_mode) return tl::unexpected(goal_mode.error());
   const Expected<Policy> policy = policyOf(textOf(wire.policy));
   if (!policy) return tl::unexpected(policy.error());
+  Expected<std::vector<Goal>> others = otherGoalsOf(wire, robot);
+  if (!others) return tl::unexpected(others.error());
 
   Received received;
-  received.request = {.start = {wire.start.x_m, wire.start.y_m, wire.start.yaw_rad},
-                      .start_mode = *start_mode,
-                      .goal = {wire.goal_x_m, wire.goal_y_m},
-                      .goal_yaw = wire.has_goal_yaw ? std::optional(wire.goal_yaw_rad) : std::nullopt,
-                      .goal_mode = *goal_mode,
-                      .policy = *policy,
-                      .max_detour = wire.max_detour};
+  received.asked.request = {.start = {wire.start.x_m, wire.start.y_m, wire.start.yaw_rad},
+                            .start_mode = *start_mode,
+                            .goal = {wire.goal_x_m, wire.goal_y_m},
+                            .goal_yaw = wire.has_goal_yaw ? std::optional(wire.goal_yaw_rad) : std::nullopt,
+                            .goal_mode = *goal_mode,
+                            .policy = *policy,
+                            .max_detour = wire.max_detour,
+                            .other_goals = std::move(*others)};
   received.deadline = std::chrono::milliseconds(wire.deadline_ms);
+  if (!read(wire.kind, Purpose::kCheck, received.asked.purpose))
+    return fail(ErrorCode::kInvalidRequest, "kind must be PLAN, REPLAN or CHECK");
+  if (received.asked.purpose == Purpose::kPlan) return received;
+  if (const Expected<void> followed = readFollowing(wire.following, robot, received.asked); !followed)
+    return tl::unexpected(followed.error());
   return received;
 }
 

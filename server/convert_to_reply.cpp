@@ -4,6 +4,7 @@
 
 #include "server/convert.hpp"
 #include "server/wire_limits.hpp"
+#include "server/wire_memory.hpp"
 
 namespace underway {
 namespace {
@@ -34,27 +35,6 @@ static_assert(isMirrored(underway_FORWARD, Sense::kForward) &&
               isMirrored(underway_BACKWARD, Sense::kBackward) && isMirrored(underway_LEFT, Sense::kLeft) &&
               isMirrored(underway_RIGHT, Sense::kRight));
 
-/// A copy that FreeReply frees, cut at the longest text between two UTF-8 characters.
-char* wireText(const std::string& text) {
-  if (text.size() <= kLongestText) return dds_string_dup(text.c_str());
-  std::size_t size = kLongestText;
-  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;
-  return dds_string_dup(text.substr(0, size).c_str());
-}
-
-/// Zeroed elements that FreeReply frees.
-template <class Sequence>
-auto allocate(Sequence& sequence, std::size_t count) {
-  using Element = std::remove_pointer_t<decltype(sequence._buffer)>;
-  if (count > 0) {
-    sequence._buffer = static_cast<Element*>(dds_alloc(count * sizeof(Element)));
-    std::memset(static_cast<void*>(sequence._buffer), 0, count * sizeof(Element));
-  }
-  sequence._length = sequence._maximum = static_cast<std::uint32_t>(count);
-  sequence._release = true;
-  return std::span(sequence._buffer, count);
-}
-
 underway_Pose wirePose(const Pose& pose) { return {pose.x, pose.y, pose.yaw}; }
 
 void write(const Segment& from, underway_Segment& to) {
@@ -77,8 +57,15 @@ void write(const Segment& from, underway_Segment& to) {
   to.headroom_m = from.closeness.headroom_m.value_or(0.0);
 }
 
-void write(const Plan& plan, underway_PlanReply& reply) {
+void write(const Given& given, underway_PlanReply& reply) {
+  const Plan& plan = given.plan;
   reply.ok = true;
+  reply.message = wireText(given.choice ? given.choice->why : std::string());
+  reply.has_choice = given.choice.has_value();
+  reply.is_new = given.choice && given.choice->is_new;
+  reply.goal_index = plan.goal_index;
+  reply.revision = plan.revision;
+  reply.world_hash = wireText(plan.world_hash);
   const auto segments = allocate(reply.segments, plan.segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) write(plan.segments[i], segments[i]);
   reply.total_time_s = plan.total_time_s;
@@ -90,6 +77,9 @@ void write(const Plan& plan, underway_PlanReply& reply) {
 
 void write(const Error& error, underway_PlanReply& reply) {
   reply.code = static_cast<underway_ErrorCode>(error.code);
+  reply.message = wireText(error.message);
+  reply.revision = error.revision;
+  reply.world_hash = wireText(error.world_hash);
   std::vector<Blocking> sound = error.blocking;
   std::erase_if(sound, [](const Blocking& one) { return !areFinite(one.needs_m, one.has_m); });
   const auto blocking = allocate(reply.blocking, std::min(sound.size(), kMostBlocking));
@@ -105,27 +95,22 @@ void FreeReply::operator()(underway_PlanReply* reply) const {
   dds_sample_free(reply, &underway_PlanReply_desc, DDS_FREE_ALL);
 }
 
-WireReply toWire(const RequestId& id, const Served& served, const Expected<Plan>& answer) {
+WireReply toWire(const RequestId& id, const Served& served, const Expected<Given>& answer) {
   if (answer) {
-    if (const std::string fault = faultOf(*answer, served.robot.modes.size()); !fault.empty())
+    if (const std::string fault = faultOf(answer->plan, served.robot.modes.size()); !fault.empty())
       return toWire(id, served, fail(ErrorCode::kInternal, "the planner's answer cannot be sent: " + fault));
   }
-  auto* raw = static_cast<underway_PlanReply*>(dds_alloc(sizeof(underway_PlanReply)));
-  *raw = underway_PlanReply{};
-  WireReply reply(raw);
+  WireReply reply(allocate<underway_PlanReply>());
   std::copy(id.client.begin(), id.client.end(), std::begin(reply->id.client));
   reply->id.number = id.sequence;
   if (answer)
     write(*answer, *reply);
   else
     write(answer.error(), *reply);
-  reply->message = wireText(answer ? std::string() : answer.error().message);
   reply->robot_model = wireText(served.robot.name);
   const auto modes = allocate(reply->modes, served.robot.modes.size());
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = wireText(served.robot.modes[i].name);
   reply->map_name = wireText(served.map_name);
-  reply->revision = served.revision;
-  reply->world_hash = wireText(served.world_hash);
   reply->robot_hash = wireText(served.robot_hash);
   reply->seed = served.seed;
   return reply;

@@ -17,7 +17,8 @@ using Qos = std::unique_ptr<dds_qos_t, FreeQos>;
 Qos qosOf(const EndpointOptions& options) {
   Qos qos(dds_create_qos());
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(options.max_blocking.count()));
-  dds_qset_durability(qos.get(), DDS_DURABILITY_VOLATILE);
+  dds_qset_durability(qos.get(),
+                      options.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, options.depth);
   if (!options.partition.empty()) dds_qset_partition1(qos.get(), options.partition.c_str());
   if (!options.user_data.empty())

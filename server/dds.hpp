@@ -48,12 +48,13 @@ class Entity {
 [[nodiscard]] Expected<Entity> createTopic(const Entity& participant, const dds_topic_descriptor_t& type,
                                            const char* name);
 
-/// RELIABLE, VOLATILE, KEEP_LAST.
+/// RELIABLE, KEEP_LAST.
 struct EndpointOptions {
   std::string partition = {};                 ///< "": the default partition
   std::int32_t depth = 1;                     ///< samples kept
   std::string user_data = {};                 ///< told to matched peers
   std::chrono::milliseconds max_blocking{0};  ///< of a write, when a peer does not keep up
+  bool is_for_latecomers = false;             ///< TRANSIENT_LOCAL rather than VOLATILE
 };
 [[nodiscard]] Expected<Entity> createReader(const Entity& participant, const Entity& topic,
                                             const EndpointOptions& options);

@@ -7,6 +7,16 @@
 
 namespace underway {
 
+/// A topic of requests and the topic of their replies.
+struct Topics {
+  const dds_topic_descriptor_t& request;
+  const char* request_name;
+  const dds_topic_descriptor_t& reply;
+  const char* reply_name;
+};
+[[nodiscard]] Topics planTopics();
+[[nodiscard]] Topics changeTopics();
+
 /// What both ends of a conversation have: a participant in the domain, both topics and a wait set.
 struct Link {
   std::shared_ptr<const Domain> domain;
@@ -15,7 +25,8 @@ struct Link {
   dds::Entity reply_topic;
   dds::WaitSet wait_set;
 
-  [[nodiscard]] static Expected<Link> open(std::shared_ptr<const Domain> domain);
+  [[nodiscard]] static Expected<Link> open(std::shared_ptr<const Domain> domain,
+                                           const Topics& topics = planTopics());
 };
 
 /// Unwraps entities made one after the other and keeps the first error: what is made from a missing entity

@@ -39,13 +39,13 @@ void PlanWorkers::work(std::stop_token stopping) {
   }
 }
 
-Expected<Plan> PlanWorkers::answer(const Job& job, std::stop_token stopping) const {
+Expected<Given> PlanWorkers::answer(const Job& job, std::stop_token stopping) const {
   if (stopping.stop_requested())
     return fail(ErrorCode::kCancelled, "the server is stopping: ask again later");
   if (std::chrono::steady_clock::now() >= job.deadline)
     return fail(ErrorCode::kTimeout, "the deadline passed while the request waited: allow more time");
   try {
-    return handler_(job.request, job.deadline, std::move(stopping));
+    return handler_(job.asked, job.deadline, std::move(stopping));
   } catch (const std::exception& thrown) {
     return fail(ErrorCode::kInternal, std::string("the planner failed: ") + thrown.what());
   } catch (...) {

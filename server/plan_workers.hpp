@@ -19,7 +19,7 @@ namespace underway {
 struct Job {
   RequestId id;
   std::string partition;
-  Request request;
+  Asked asked;
   std::chrono::steady_clock::time_point deadline;
 };
 
@@ -28,7 +28,7 @@ struct Job {
 class PlanWorkers {
  public:
   /// Called from the workers' threads.
-  using Finish = std::function<void(const Job&, Expected<Plan>)>;
+  using Finish = std::function<void(const Job&, Expected<Given>)>;
 
   PlanWorkers(PlanHandler handler, Finish finish, std::size_t threads, std::size_t most_queued);
   /// Stops and waits for the workers; what is queued is finished first.
@@ -41,7 +41,7 @@ class PlanWorkers {
 
  private:
   void work(std::stop_token stopping);
-  [[nodiscard]] Expected<Plan> answer(const Job& job, std::stop_token stopping) const;
+  [[nodiscard]] Expected<Given> answer(const Job& job, std::stop_token stopping) const;
 
   PlanHandler handler_;
   Finish finish_;

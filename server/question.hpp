@@ -8,9 +8,31 @@
 #include <string>
 #include <string_view>
 
+#include <vector>
+
 #include "planner/plan.hpp"
+#include "planner/replan.hpp"
 
 namespace underway {
+
+/// A goal in the robot's words.
+struct NamedGoal {
+  Point at;                        ///< [m]
+  std::optional<double> yaw = {};  ///< [rad]; empty: any heading
+  std::string mode = {};           ///< empty: the first mode
+};
+
+/// What a question asks: a plan; the same given the plan that is being followed; whether that one still
+/// holds.
+enum class Purpose : std::uint8_t { kPlan, kReplan, kCheck };
+
+/// The plan that is being followed, in the robot's words: which modes its segments are in.
+struct Followed {
+  Executing executing;
+  std::vector<std::string> mode_names;  ///< by ModeId
+  double least_gain = Reluctance{}.share;
+  double least_gain_s = Reluctance{}.least_s;
+};
 
 /// What a robot asks a plan server. A Request in the robot's words: it names its modes, for only the server's
 /// robot file numbers them. Poses in the map frame.
@@ -25,6 +47,9 @@ struct Question {
   double max_detour = 3.0;  ///< see Request
   std::chrono::milliseconds deadline{
       5000};  ///< for planning, from the request's arrival at the server; 1..600000
+  std::vector<NamedGoal> other_goals = {};  ///< that would do as well
+  Purpose purpose = Purpose::kPlan;
+  Followed followed = {};  ///< unless only a plan is asked for
 };
 
 /// Tells requests apart: a client's random id and its count.

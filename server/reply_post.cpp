@@ -31,7 +31,7 @@ ReplyPost::ReplyPost(const dds::Entity& participant, const dds::Entity& topic, d
                      Limits limits)
     : participant_(participant), topic_(topic), wait_set_(wait_set), limits_(limits) {}
 
-void ReplyPost::send(const Answer& answer) {
+void ReplyPost::send(const FinalReply& answer) {
   Writer* writer = writerFor(answer.partition);
   if (writer == nullptr || deliver(answer, *writer)) return;
   const auto is_same = [&](const Held& held) { return held.answer.id == answer.id; };
@@ -41,7 +41,7 @@ void ReplyPost::send(const Answer& answer) {
 }
 
 /// False if the client's reader is not matched yet.
-bool ReplyPost::deliver(const Answer& answer, Writer& writer) {
+bool ReplyPost::deliver(const FinalReply& answer, Writer& writer) {
   readMatches(writer.entity, writer.readers);
   const std::string client = userDataOf(answer.id.client);
   const auto is_theirs = [&](const std::string& user_data) {

@@ -33,7 +33,7 @@ class ReplyPost {
   ReplyPost(const dds::Entity& participant, const dds::Entity& topic, dds::WaitSet& wait_set, Limits limits);
 
   /// Writes the reply, or holds it until the client's reader is matched.
-  void send(const Answer& answer);
+  void send(const FinalReply& answer);
   /// Call when the wait set returns a writer's token.
   void onMatched(dds_attach_t token);
   /// Gives up what was held too long.
@@ -52,12 +52,12 @@ class ReplyPost {
     std::uint64_t last_use = 0;
   };
   struct Held {
-    Answer answer;
+    FinalReply answer;
     Clock::time_point expiry;
   };
   [[nodiscard]] Writer* writerFor(const std::string& partition);
   [[nodiscard]] bool makeRoom();
-  [[nodiscard]] bool deliver(const Answer& answer, Writer& writer);
+  [[nodiscard]] bool deliver(const FinalReply& answer, Writer& writer);
 
   const dds::Entity& participant_;
   const dds::Entity& topic_;

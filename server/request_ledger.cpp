@@ -6,16 +6,16 @@ namespace {
 // A reply without segments weighs about as much as this many.
 constexpr std::size_t kBareReply = 10;
 
-std::size_t weightOf(const Answer& answer) { return kBareReply + answer.reply->segments._length; }
+std::size_t weightOf(const FinalReply& answer) { return kBareReply + answer.weight; }
 
 }  // namespace
 
-const Answer* RequestLedger::answerTo(const RequestId& id) const {
+const FinalReply* RequestLedger::answerTo(const RequestId& id) const {
   const auto found = answered_.find(id);
   return found == answered_.end() ? nullptr : &found->second;
 }
 
-void RequestLedger::finish(const Answer& answer) {
+void RequestLedger::finish(const FinalReply& answer) {
   in_flight_.erase(answer.id);
   if (!answered_.emplace(answer.id, answer).second) return;
   oldest_first_.push_back(answer.id);

@@ -6,19 +6,19 @@
 #include <set>
 #include <string>
 
-#include "idl/underway.h"
 #include "server/question.hpp"
 
 namespace underway {
 
 /// A final reply and where it belongs.
-struct Answer {
+struct FinalReply {
   RequestId id;
   std::string partition;
-  std::shared_ptr<const underway_PlanReply> reply;
+  std::shared_ptr<const void> reply;  ///< of the topic's type
+  std::size_t weight = 0;             ///< how large it is, in segments
 };
 
-/// Remembers which requests are being planned and what was answered, so that a resend is never planned twice.
+/// Remembers which requests are being worked on and what was answered, so that no resend is worked on twice.
 /// Invariant: an id is in flight, or answered, or unknown; the weight of what is remembered stays within the
 /// limit, the oldest answers being forgotten first. Thread safety: none; it belongs to one thread.
 class RequestLedger {
@@ -28,17 +28,17 @@ class RequestLedger {
 
   [[nodiscard]] bool isInFlight(const RequestId& id) const { return in_flight_.contains(id); }
   /// What was answered; nullptr if nothing was, or it is forgotten.
-  [[nodiscard]] const Answer* answerTo(const RequestId& id) const;
+  [[nodiscard]] const FinalReply* answerTo(const RequestId& id) const;
   [[nodiscard]] std::size_t inFlight() const { return in_flight_.size(); }
 
   void begin(const RequestId& id) { in_flight_.insert(id); }
-  void finish(const Answer& answer);
+  void finish(const FinalReply& answer);
 
  private:
   std::size_t most_;
   std::size_t weight_ = 0;
   std::set<RequestId> in_flight_;
-  std::map<RequestId, Answer> answered_;
+  std::map<RequestId, FinalReply> answered_;
   std::deque<RequestId> oldest_first_;
 };
 

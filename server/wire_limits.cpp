@@ -42,7 +42,7 @@ std::string faultOf(const Served& served) {
   for (const Mode& mode : served.robot.modes)
     if (mode.name.empty() || !isCarried(mode.name, kLongestModeName))
       return "the robot's mode names must have 1 to 64 characters";
-  for (const std::string& text : {served.robot.name, served.map_name, served.world_hash, served.robot_hash})
+  for (const std::string& text : {served.robot.name, served.map_name, served.robot_hash})
     if (!isCarried(text)) return "the names of robot and map must have at most 4096 bytes";
   return {};
 }

@@ -14,6 +14,7 @@ namespace underway {
 
 inline constexpr std::size_t kMostSegments = 4096;
 inline constexpr std::size_t kMostBlocking = 64;
+inline constexpr std::size_t kMostChanges = 1024;
 inline constexpr std::size_t kMostModes = 16;
 inline constexpr std::size_t kLongestText = 4096;    ///< [bytes]
 inline constexpr std::size_t kLongestModeName = 64;  ///< [bytes]

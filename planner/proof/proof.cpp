@@ -101,15 +101,15 @@ class Refinement {
   WaySearch search_;
 };
 
-/// What all poses within the tolerance of the goal have at least.
-double leastClearanceAtGoal(const Checker& checker, const Request& request, Interrupt& interrupt) {
-  const double reach = reachOf(checker.robot().modes[request.goal_mode].body_m);
+/// What all poses within the tolerance of a goal have at least.
+double leastClearanceAt(const Goal& goal, const Checker& checker, Interrupt& interrupt) {
+  const double reach = reachOf(checker.robot().modes[goal.mode].body_m);
   const double cap = checker.robot().margin_m + kGoal_m + 0.1 * reach;
   const auto clearance = [&](double yaw, double within_rad) {
-    const Pose pose{request.goal.x, request.goal.y, yaw};
-    return checker.clearance(stay(request.goal_mode, pose), cap) - kGoal_m - within_rad * reach;
+    const Pose pose{goal.at.x, goal.at.y, yaw};
+    return checker.clearance(stay(goal.mode, pose), cap) - kGoal_m - within_rad * reach;
   };
-  if (request.goal_yaw) return clearance(*request.goal_yaw, kGoal_rad);
+  if (goal.yaw) return clearance(*goal.yaw, kGoal_rad);
   constexpr int kHeadings = 72;
   constexpr double kStep_rad = 2.0 * std::numbers::pi / kHeadings;
   double least = cap;
@@ -122,9 +122,10 @@ double leastClearanceAtGoal(const Checker& checker, const Request& request, Inte
 
 double leastMargin(const Checker& checker, const Request& request, Interrupt& interrupt) {
   const double margin = checker.robot().margin_m;
-  const double at_start = checker.clearance(stay(request.start_mode, request.start), margin);
-  const double least = std::min(at_start, leastClearanceAtGoal(checker, request, interrupt)) - kRounding_m;
-  return std::clamp(least, 0.0, margin);
+  double least = checker.clearance(stay(request.start_mode, request.start), margin);
+  for (const Goal& goal : goalsOf(request))
+    least = std::min(least, leastClearanceAt(goal, checker, interrupt));
+  return std::clamp(least - kRounding_m, 0.0, margin);
 }
 
 bool closes(Relaxation& relaxation, std::size_t most_cells, Interrupt& interrupt) {

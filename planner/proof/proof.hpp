@@ -21,7 +21,7 @@ struct Proof {
 /// Cells of (x, y, yaw) are halved along the way that still seems open, coarse ones first, until there is
 /// none. It gives up early when a way is left that nothing is known to block.
 ///
-/// Preconditions: as `refusal` checks them. Thread safety: may be called from any number of threads, each
+/// Preconditions: as `admitted` checks them. Thread safety: may be called from any number of threads, each
 /// with an interrupt of its own.
 [[nodiscard]] std::optional<Proof> proveNoPath(const Checker& checker, const Request& request,
                                                Interrupt& interrupt);
@@ -30,7 +30,7 @@ struct Proof {
 [[nodiscard]] bool closes(Relaxation& relaxation, std::size_t most_cells, Interrupt& interrupt);
 
 /// The least clearance that any segment of a plan must keep: the robot's margin, or what the start has, or
-/// what a pose within the tolerance of the goal has at least, if that is less. Of no use when
+/// what a pose within the tolerance of a goal has at least, if that is less. Of no use when
 /// interrupted.
 [[nodiscard]] double leastMargin(const Checker& checker, const Request& request, Interrupt& interrupt);
 

@@ -19,9 +19,9 @@ Range cosines(double middle, double half) {
   return {off + half >= kPi ? -1.0 : std::cos(off + half), off <= half ? 1.0 : std::cos(off - half)};
 }
 
-CellBox goalBox(const Grid& grid, const Request& request) {
-  const Pose goal = grid.inCorner({request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)});
-  const Range yaw = request.goal_yaw ? Range{goal.yaw, goal.yaw}.grown(kGoal_rad) : Range{0.0, 2.0 * kPi};
+CellBox boxOf(const Grid& grid, const Goal& asked) {
+  const Pose goal = grid.inCorner({asked.at.x, asked.at.y, asked.yaw.value_or(0.0)});
+  const Range yaw = asked.yaw ? Range{goal.yaw, goal.yaw}.grown(kGoal_rad) : Range{0.0, 2.0 * kPi};
   return grid.boxAround(Range{goal.x, goal.x}.grown(kGoal_m), Range{goal.y, goal.y}.grown(kGoal_m), yaw);
 }
 
@@ -39,9 +39,9 @@ Relaxation::Relaxation(const Checker& checker, const Request& request, double ma
     : stances_(stancesOf(checker, margin_m)),
       survey_(checker, stances_, interrupt),
       start_(survey_.grid().inCorner(request.start)),
-      start_stance_(stances_.of_mode[request.start_mode]),
-      goal_stance_(stances_.of_mode[request.goal_mode]),
-      goal_(goalBox(survey_.grid(), request)) {
+      start_stance_(stances_.of_mode[request.start_mode]) {
+  for (const Goal& goal : goalsOf(request))
+    goals_.push_back({stances_.of_mode[goal.mode], boxOf(survey_.grid(), goal)});
   for (std::size_t s = 0; s < stances_.all.size(); ++s) {
     const Footprint& body = stances_.shapes[stances_.all[s].shape].footprint;
     reach_m_.push_back(std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max)));
@@ -83,7 +83,9 @@ std::size_t Relaxation::longestAxis(const Place& place) const {
 }
 
 bool Relaxation::isGoal(const Place& place) const {
-  return place.stance == goal_stance_ && touch(cells(place.stance).box(place.cell), goal_);
+  const CellBox& cell = cells(place.stance).box(place.cell);
+  return std::any_of(goals_.begin(), goals_.end(),
+                     [&](const End& goal) { return goal.stance == place.stance && touch(cell, goal.box); });
 }
 
 bool Relaxation::leadsTo(const Place& from, CellId neighbour) const {

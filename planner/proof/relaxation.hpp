@@ -49,7 +49,7 @@ class Relaxation {
 
   /// Cells with the start's pose in them.
   [[nodiscard]] std::span<const Place> starts() const { return starts_; }
-  /// Whether some pose of a cell is within the tolerance of the goal.
+  /// Whether some pose of a cell is within the tolerance of a goal.
   [[nodiscard]] bool isGoal(const Place& place) const;
   /// Whether one of the stance's senses leads from a cell to a neighbour.
   [[nodiscard]] bool leadsTo(const Place& from, CellId neighbour) const;
@@ -71,6 +71,10 @@ class Relaxation {
   [[nodiscard]] std::vector<std::size_t> blockersOfExit(const Place& place, std::size_t exit);
 
  private:
+  struct End {
+    std::uint32_t stance;
+    CellBox box;
+  };
   struct Floor {
     CellTree cells;
     std::vector<double> extents_m;  // of each cell
@@ -93,8 +97,7 @@ class Relaxation {
   std::vector<double> reach_m_;  // of each stance's body
   Pose start_;                   // in the corner's frame
   std::uint32_t start_stance_;
-  std::uint32_t goal_stance_;
-  CellBox goal_;
+  std::vector<End> goals_;
   std::vector<Place> starts_;
 };
 

@@ -101,12 +101,30 @@ TEST(Arguments, AModeThatIsNotTheRobotsIsRefusedWithThoseThatAre) {
             "--start-mode: robot \"nao\" has no mode \"flying\"; it has frontal, lateral, crawl");
 }
 
+TEST(Arguments, SeveralGoalsAreEachOfTheGoalsMode) {
+  QueryArguments arguments;
+  EXPECT_EQ(parseQuery({"--start", "0,0,0", "--goal", "1,1,2", "--goal", "-2,.5", "--goal-mode", "crawl"},
+                       arguments),
+            "");
+  const auto request = requestOf(arguments, makeRobot());
+  ASSERT_TRUE(request) << request.error().message;
+  EXPECT_EQ(goalsOf(*request), (std::vector<Goal>{{{1, 1}, 2.0, 2}, {{-2, 0.5}, {}, 2}}));
+}
+
+TEST(Arguments, AnObstacleIsAnIdAndABox) {
+  EXPECT_EQ(parseObstacle("box=1,2,3,.4,.5,.6").value(), (Obstacle{"box", {{1, 2, 3}, {0.4, 0.5, 0.6}, {}}}));
+  EXPECT_EQ(parseObstacle("a b=1,2,3,4,5,6,.1,.2,-.3").value(),
+            (Obstacle{"a b", {{1, 2, 3}, {4, 5, 6}, {0.1, 0.2, -0.3}}}));
+  for (const char* text : {"box", "=1,2,3,4,5,6", "box=1,2,3", "box=1,2,3,4,5,6,7", "box=1,2,3,4,5,x", ""})
+    EXPECT_FALSE(parseObstacle(text)) << text;
+}
+
 TEST(Arguments, ARequestNeedsStartAndGoal) {
   QueryArguments arguments;
   EXPECT_FALSE(requestOf(arguments, makeRobot()));
   arguments.start = Pose{};
   EXPECT_FALSE(requestOf(arguments, makeRobot()));
-  arguments.goal = Goal{};
+  arguments.goals = {Goal{}};
   EXPECT_TRUE(requestOf(arguments, makeRobot()));
 }
 

@@ -72,7 +72,7 @@ Server::Server(const std::vector<std::string>& words) {
   const Descriptor reading(ends[0]);
   {
     const Descriptor writing(ends[1]);  // closed at once: only the child's end keeps the pipe open
-    const Descriptor errors(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+    const Descriptor errors(openNew(folder_.path("errors")));
     child_ = start(words, writing, errors);
   }
   for (char c = 0; ::read(reading.number(), &c, 1) == 1 && c != '\n';) first_line_ += c;
@@ -81,6 +81,8 @@ Server::Server(const std::vector<std::string>& words) {
 Server::~Server() {
   if (child_ != 0) stop(SIGKILL);
 }
+
+std::string Server::errors() const { return readAll(folder_.path("errors")); }
 
 int Server::stop(int signal) {
   ::kill(child_, signal);

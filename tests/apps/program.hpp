@@ -18,24 +18,6 @@ struct Outcome {
 /// Runs `underway` with these words, standard input closed, and waits for its end.
 [[nodiscard]] Outcome runProgram(const std::vector<std::string>& words);
 
-/// `underway serve` in the background, killed at the latest with the object.
-class Server {
- public:
-  /// Returns when the program has printed its first line or ended.
-  explicit Server(const std::vector<std::string>& words);
-  ~Server();
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-
-  [[nodiscard]] const std::string& firstLine() const { return first_line_; }
-  /// Sends the signal, waits for the end and returns the exit code, -1 if a signal ended it.
-  int stop(int signal);
-
- private:
-  pid_t child_ = 0;
-  std::string first_line_;
-};
-
 /// A fresh folder for the files of one test; gone with the object.
 class Folder {
  public:
@@ -51,6 +33,27 @@ class Folder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// `underway serve` in the background, killed at the latest with the object.
+class Server {
+ public:
+  /// Returns when the program has printed its first line or ended.
+  explicit Server(const std::vector<std::string>& words);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  [[nodiscard]] const std::string& firstLine() const { return first_line_; }
+  /// What it has written to standard error so far.
+  [[nodiscard]] std::string errors() const;
+  /// Sends the signal, waits for the end and returns the exit code, -1 if a signal ended it.
+  int stop(int signal);
+
+ private:
+  Folder folder_;
+  pid_t child_ = 0;
+  std::string first_line_;
 };
 
 [[nodiscard]] std::string readAll(const std::filesystem::path& file);

@@ -20,11 +20,16 @@ std::vector<std::string> planWords(const std::string& query, std::vector<std::st
   return words;
 }
 
+bool says(const Outcome& run, const std::string& part) {
+  return run.errors.find(part) != std::string::npos || (ADD_FAILURE() << run.errors, false);
+}
+
 TEST(Program, HelpIsNoError) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
                                                 {"plan", "--help"},
                                                 {"ask", "--help"},
                                                 {"serve", "--help"},
+                                                {"change", "--help"},
                                                 {"query", "--help"},
                                                 {"check", "--help"}}) {
     const Outcome run = runProgram(words);
@@ -93,14 +98,25 @@ TEST(Program, AFailureIsNoPlanToCheck) {
   EXPECT_NE(run.errors.find("goal_out_of_bounds"), std::string::npos) << run.errors;
 }
 
+TEST(Program, OfSeveralGoalsThePlanSaysWhichItLeadsTo) {
+  const Outcome run = runProgram({"plan", "--map", kMap, "--start", "0.6,2,0", "--goal", "9,2", "--goal",
+                                  "5.4,2", "--goal", "1.2,2,0", "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const Json json = Json::parse(run.output);
+  EXPECT_EQ(json["goal_index"], 2);
+  EXPECT_EQ(json["goals"].size(), 3U);
+  EXPECT_EQ(json["goal"]["x"], 1.2);
+  const Outcome none =
+      runProgram({"plan", "--map", kMap, "--start", "0.6,2,0", "--goal", "9,2", "--goal", "2,0.9,0"});
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_TRUE(says(none, "goal 1 (9.000 m"));
+  EXPECT_TRUE(says(none, "goal 2 (2.000 m"));
+}
+
 TEST(Program, TheSameSeedGivesTheSamePlan) {
   const auto segmentsOf = [](const Outcome& run) { return Json::parse(run.output)["segments"]; };
   const std::vector<std::string> words = planWords("under_the_table", {"--json", "-", "--seed", "7"});
   EXPECT_EQ(segmentsOf(runProgram(words)), segmentsOf(runProgram(words)));
-}
-
-bool says(const Outcome& run, const std::string& part) {
-  return run.errors.find(part) != std::string::npos || (ADD_FAILURE() << run.errors, false);
 }
 
 TEST(Program, ARoadmapIsKeptFromOneRunToTheNext) {

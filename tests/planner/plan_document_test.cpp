@@ -38,10 +38,17 @@ class RandomDocuments {
     document.request = {pose(), mode(),          {number(), number()},    {},
                         mode(), Policy(pick(3)), 1.0 + std::abs(number())};
     if (pick(2)) document.request.goal_yaw = number();
-    if (pick(4) == 0)
+    for (unsigned i = pick(3) == 0 ? pick(4) : 0; i > 0; --i) {
+      document.request.other_goals.push_back({{number(), number()}, {}, mode()});
+      if (pick(2)) document.request.other_goals.back().yaw = number();
+    }
+    if (pick(4) == 0) {
       document.answer = tl::unexpected(failure());
-    else
-      document.answer = plan(document.request.start);
+      return document;
+    }
+    document.answer = plan(document.request.start);
+    document.answer->goal_index = pick(1 + static_cast<unsigned>(document.request.other_goals.size()));
+    if (pick(5) == 0) document.choice = Choice{pick(2) == 0, "the plan still holds"};
     return document;
   }
 
@@ -81,7 +88,7 @@ class RandomDocuments {
 /// A plan of one translation, one turn and one switch, as JSON to be spoilt.
 Json makePlanJson() {
   const Robot robot = makeRobot();
-  PlanDocument document{{}, "nao", {"frontal", "lateral", "crawl"}, "room", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"frontal", "lateral", "crawl"}, "room", 1, "w", "r", 1, Plan{}};
   const Motion walk = translate(0, Sense::kForward, {0.6, 2.0, 0.0}, 1.5);
   const Motion about = turn(0, walk.to, 0.5, 0.5);
   document.answer->segments = {{walk, 22.0, {0.1, Nearest{"wall", {1.0, 2.5}}, 0.2}},
@@ -109,7 +116,7 @@ TEST(PlanDocument, RandomDocumentsRoundTripBitForBit) {
     ASSERT_TRUE(again) << again.error().message << "\n" << toJson(document);
     ASSERT_EQ(toJson(*again), toJson(document));
     ASSERT_EQ(again->request.start, document.request.start);
-    ASSERT_EQ(again->request.goal_yaw, document.request.goal_yaw);
+    ASSERT_EQ(goalsOf(again->request), goalsOf(document.request));
     ASSERT_EQ(again->answer.has_value(), document.answer.has_value());
     if (!document.answer) continue;
     ASSERT_EQ(again->answer->goal, document.answer->goal);
@@ -135,7 +142,7 @@ TEST(PlanDocument, KeysComeInTheOrderOfTheFormat) {
 }
 
 TEST(PlanDocument, AFailureIsWrittenWithItsCodeItsSentenceAndWhatBlocks) {
-  PlanDocument document{{}, "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
   Error error{
       ErrorCode::kNoPathExists, "the table is too low", {{"table_top", "crawl", "height", 0.21, 0.19}}};
   document.answer = tl::unexpected(error);
@@ -148,7 +155,7 @@ TEST(PlanDocument, AFailureIsWrittenWithItsCodeItsSentenceAndWhatBlocks) {
 }
 
 TEST(PlanDocument, AFailureMayNameAModeThatTheRobotDoesNotHave) {
-  PlanDocument document{{}, "nao", {"flying"}, "room", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"flying"}, "room", 1, "w", "r", 1, Plan{}};
   document.answer = fail(ErrorCode::kInvalidRequest, "mode \"flying\" is not known");
   const auto again = planFromJson(toJson(document), makeRobot());
   ASSERT_TRUE(again) << again.error().message;
@@ -156,12 +163,12 @@ TEST(PlanDocument, AFailureMayNameAModeThatTheRobotDoesNotHave) {
 }
 
 TEST(PlanDocument, BytesThatAreNoTextDoNotStopTheWriter) {
-  PlanDocument document{{}, "nao", {"frontal"}, "room \xFF", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"frontal"}, "room \xFF", 1, "w", "r", 1, Plan{}};
   EXPECT_EQ(Json::parse(toJson(document))["map"], "room \xEF\xBF\xBD");
 }
 
 TEST(PlanDocument, ANumberThatIsNotFiniteIsNeverWrittenAndNeverRead) {
-  PlanDocument document{{}, "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
   document.answer->total_time_s = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(Json::parse(toJson(document))["total_time_s"].is_null());
   const auto again = planFromJson(toJson(document), makeRobot());
@@ -200,6 +207,40 @@ TEST(PlanDocument, EachFaultIsOneSentenceWithItsPath) {
   }
 }
 
+TEST(PlanDocument, OfSeveralGoalsItSaysWhichOneThePlanLeadsTo) {
+  PlanDocument document{Request(), "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
+  document.request.other_goals = {{{5.4, 2.0}, 0.5}};
+  document.answer->goal_index = 1;
+  const Json json = Json::parse(toJson(document));
+  EXPECT_EQ(json["goal"].dump(), R"({"x":5.4,"y":2.0,"yaw":0.5})");
+  EXPECT_EQ(json["goal_index"], 1);
+  EXPECT_EQ(json["goals"][0].dump(), R"({"x":0.0,"y":0.0,"yaw":null,"mode":"frontal"})");
+  EXPECT_EQ(messageOf(json), "read");
+
+  const auto spoilt = [&](const char* pointer, const Json& value) {
+    Json changed = json;
+    changed[Json::json_pointer(pointer)] = value;
+    return messageOf(changed);
+  };
+  EXPECT_NE(spoilt("/goals", Json::array()).find("goals must hold one goal at least"), std::string::npos);
+  EXPECT_NE(spoilt("/goal_index", 0).find("goal is not the goal of that index"), std::string::npos);
+  EXPECT_NE(spoilt("/goal_index", 2).find("goal_index must be a whole number between 0 and 1"),
+            std::string::npos);
+  EXPECT_NE(spoilt("/goals", Json(std::vector<Json>(65, json["goals"][0]))).find("at most 64"),
+            std::string::npos);
+}
+
+TEST(PlanDocument, OfAPlanThatWasReplannedItSaysWhetherItIsNewAndWhy) {
+  PlanDocument document{Request(), "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
+  document.choice = Choice{false, "the plan still holds"};
+  const Json json = Json::parse(toJson(document));
+  EXPECT_EQ(json["is_new"], false);
+  EXPECT_EQ(json["message"], "the plan still holds");
+  const auto again = planFromJson(json.dump(), makeRobot());
+  ASSERT_TRUE(again && again->choice);
+  EXPECT_EQ(again->choice->why, "the plan still holds");
+}
+
 TEST(PlanDocument, EveryFieldButTheDetourIsNeeded) {
   const Json whole = makePlanJson();
   for (const auto& item : whole.items()) {
@@ -216,7 +257,7 @@ TEST(PlanDocument, EveryFieldButTheDetourIsNeeded) {
 }
 
 TEST(PlanDocument, NoLimitOfDetourIsKept) {
-  PlanDocument document{{}, "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
+  PlanDocument document{Request(), "nao", {"frontal"}, "room", 1, "w", "r", 1, Plan{}};
   document.request.max_detour = std::numeric_limits<double>::infinity();
   const auto again = planFromJson(toJson(document), makeRobot());
   ASSERT_TRUE(again);

@@ -91,7 +91,7 @@ Cost costBetween(const Roadmap& roadmap, const Checker& checker, Policy policy, 
   LinkChecks checks(graph, checker);
   Interrupt never(soon(), {});
   const auto passage =
-      search(graph, stances, checker.robot(), checks, {from, {0.3, 0}, to, {-1.1, 0}, false}, never);
+      search(graph, stances, checker.robot(), checks, {from, {0.3, 0}, {{to, {-1.1, 0}}}}, never);
   return passage ? passage->cost : Cost::most();
 }
 

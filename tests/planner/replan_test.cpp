@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "planner/certify.hpp"
 #include "planner/stale.hpp"
 #include "tests/planner/fixture.hpp"
@@ -94,6 +96,91 @@ TEST_F(Executed, IsLeftOnlyForAPlanThatIsBetterByTheMargin) {
   const auto reluctant = replan(planner_, executing, from(executing), soon(), {0.9, 2.0, 0.05, 0.005});
   ASSERT_TRUE(reluctant.has_value());
   EXPECT_FALSE(reluctant->is_new) << reluctant->why;
+}
+
+TEST_F(Executed, HasARemainderThatIsToldAnewAndPassesItsCertificate) {
+  const Executing executing = at(longest(), 0.25);
+  planner_.update(std::make_shared<const World>(
+      *planner_.checker()->world().added({"box", {{5.4, 0.4, 0.2}, {0.2, 0.2, 0.4}, {}}})));
+  const auto dut = remaining(executing, *planner_.checker());
+  ASSERT_TRUE(dut.has_value()) << dut.error().message;
+  EXPECT_EQ(dut->revision, planner_.checker()->world().revision());
+  EXPECT_TRUE(certify(*dut, from(executing), *planner_.checker()).empty());
+}
+
+TEST_F(Executed, IsStaleWithTheSegmentAndWhatBlocksIt) {
+  const std::size_t blocked = longest();
+  planner_.update(withBoxOn(plan_.segments[blocked].motion));
+  const auto dut = remaining(at(0, 0.0), *planner_.checker());
+  ASSERT_FALSE(dut.has_value());
+  EXPECT_EQ(dut.error().code, ErrorCode::kStaleRevision);
+  EXPECT_EQ(dut.error().message,
+            "segment " + std::to_string(blocked + 1) + " of the plan is blocked now by box");
+  EXPECT_EQ(dut.error().revision, planner_.checker()->world().revision());
+}
+
+TEST_F(Executed, IsNotStaleForWhatLiesBehindTheRobot) {
+  const std::size_t blocked = longest();
+  const Motion& motion = plan_.segments[blocked].motion;
+  planner_.update(std::make_shared<const World>(*planner_.checker()->world().added(
+      {"box", {{motion.from.x - 0.4, motion.from.y, 0.2}, {0.2, 0.2, 0.4}, {}}})));
+  EXPECT_TRUE(remaining(at(blocked, 0.9), *planner_.checker()).has_value());
+}
+
+TEST_F(Executed, IsNoPlanWhenItsMotionsCannotBeDone) {
+  const auto messageOf = [&](const std::function<void(Executing&)>& spoil) {
+    Executing executing = at(0, 0.0);
+    spoil(executing);
+    const auto dut = remaining(executing, *planner_.checker());
+    EXPECT_FALSE(dut.has_value());
+    EXPECT_EQ(dut.error().code, ErrorCode::kInvalidRequest);
+    return dut.error().message;
+  };
+  EXPECT_NE(messageOf([](Executing& e) {
+              e.plan.segments[0].motion = {MotionKind::kSwitch, 2, 1, Sense::kForward, {}, {}, 0.0};
+            }).find("cannot do segment 1"),
+            std::string::npos);
+  EXPECT_NE(messageOf([](Executing& e) { e.done = 1.5; }).find("no share"), std::string::npos);
+  EXPECT_NE(messageOf([](Executing& e) { e.segment = 99; }).find("segment 100 is not one of them"),
+            std::string::npos);
+  EXPECT_NE(messageOf([&](Executing& e) {
+              e.plan.segments[longest()].motion.from.x += 1e-6;
+            }).find("what is being followed is no plan"),
+            std::string::npos);
+}
+
+TEST_F(Executed, IsLeftWhenItLeadsToNoneOfTheGoals) {
+  Request request = from(at(0, 0.0));
+  request.goal.y += 0.5;
+  const auto dut = replan(planner_, at(0, 0.0), request, soon());
+  ASSERT_TRUE(dut.has_value()) << dut.error().message;
+  EXPECT_TRUE(dut->is_new);
+  request.other_goals = {{kRight.position(), kRight.yaw}};
+  request.goal.y = kRight.y + 0.001;
+  request.goal_yaw = 1.0;
+  const auto kept = replan(planner_, at(0, 0.0), request, soon());
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_FALSE(kept->is_new) << kept->why;
+  EXPECT_EQ(kept->plan.goal_index, 1U);
+}
+
+/// A plan that crawls under a table, in the middle of its switches.
+TEST(ExecutedCrawl, IsKeptWhileNothingChangesAlsoInTheMiddleOfASwitch) {
+  Planner planner(test::ourWorld("scenario3"), test::nao());
+  Request request = requestFor({0.6, 2.0, 0.0}, {5.4, 2.0, 0.0}, Policy::kFastest);
+  const Plan plan = planner.plan(request, soon()).value();
+  std::size_t switches = 0;
+  for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+    const Executing executing{plan, i, 0.5};
+    const Onward next = onward(executing, *test::nao());
+    request.start = next.start;
+    request.start_mode = next.mode;
+    const auto dut = replan(planner, executing, request, soon());
+    ASSERT_TRUE(dut.has_value()) << dut.error().message;
+    EXPECT_FALSE(dut->is_new) << "segment " << i << ": " << dut->why;
+    switches += plan.segments[i].motion.kind == MotionKind::kSwitch ? 1 : 0;
+  }
+  EXPECT_GE(switches, 2U);
 }
 
 TEST_F(Executed, HasARestThatTakesWhatIsLeft) {

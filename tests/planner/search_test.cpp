@@ -107,7 +107,7 @@ TEST_P(SearchIn, CostsWhatRelaxingEveryWayFinds) {
     const Relaxed slow(checker, roadmap, stances, start);
     for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 7) {
       const Posed goal{place, {-1.1, 0}};
-      const Target target{start.place, start.stance, place, goal.stance, false};
+      const Target target{start.place, start.stance, {{place, goal.stance}}};
       const auto dut = search(graph, stances, *test::nao(), checks, target, never);
       const Cost least = slow.costTo(goal);
       ASSERT_EQ(dut.has_value(), least != Cost::most()) << "place " << place;
@@ -123,7 +123,9 @@ TEST_P(SearchIn, IsGuidedByABoundThatIsConsistentOnEveryLink) {
   for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
     const Stances stances(checker, policy);
     Interrupt never(test::soon(), {});
-    Guide guide(graph, stances, 0, 1, never);
+    const std::vector<Roadmap::PlaceId> goals{1, static_cast<Roadmap::PlaceId>(roadmap.places.size() / 2)};
+    Guide guide(graph, stances, 0, goals, never);
+    for (const Roadmap::PlaceId goal : goals) ASSERT_EQ(guide.from(goal), Cost());
     for (Roadmap::LinkId id = 0; id < roadmap.links.size(); ++id) {
       const Roadmap::Link& link = roadmap.links[id];
       const Legs& legs = stances.ofGroup(roadmap.places[link.from].group);
@@ -133,6 +135,35 @@ TEST_P(SearchIn, IsGuidedByABoundThatIsConsistentOnEveryLink) {
                                                           : roadmap.crossings[link.crossing].cost(policy);
         ASSERT_LE(guide.from(link.from), step + guide.from(link.to));
       }
+    }
+  }
+}
+
+TEST_P(SearchIn, LeadsToTheCheapestOfSeveralGoals) {
+  std::mt19937 random(11);
+  const Draft graph(&roadmap);
+  Interrupt never(test::soon(), {});
+  for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
+    const Stances stances(checker, policy);
+    LinkChecks checks(graph, checker);
+    for (int i = 0; i < 60; ++i) {
+      Target target{0, {0.3, 0}, {}};
+      for (auto left = 1 + random() % 6; left > 0; --left) {
+        const auto place = static_cast<Roadmap::PlaceId>(random() % roadmap.places.size());
+        target.goals.push_back({place, {0.1 * static_cast<double>(random() % 63), 0}, random() % 3 == 0});
+      }
+      Cost least = Cost::most();
+      for (const Target::Goal& goal : target.goals)
+        if (const auto alone = search(graph, stances, *test::nao(), checks,
+                                      {target.start, target.start_stance, {goal}}, never))
+          least = std::min(least, alone->cost);
+      const auto dut = search(graph, stances, *test::nao(), checks, target, never);
+      ASSERT_EQ(dut ? dut->cost : Cost::most(), least) << "case " << i;
+      if (!dut) continue;
+      const Target::Goal& goal = target.goals.at(dut->goal);
+      const Passage::Step& last = dut->steps.back();
+      ASSERT_EQ(last.option.in.position(), roadmap.places[goal.place].at);
+      ASSERT_TRUE(goal.any_heading || last.option.in.yaw == goal.stance.yaw);
     }
   }
 }
@@ -149,7 +180,7 @@ TEST_P(SearchIn, CostsNoLessWithLinksClosedAndNoMoreWithThemOpenAgain) {
   LinkChecks checks_before(before, checker);
   LinkChecks checks_after(after, checker);
   for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 5) {
-    const Target target{0, {0.0, 0}, place, {1.0, 0}, false};
+    const Target target{0, {0.0, 0}, {{place, {1.0, 0}}}};
     const auto open = search(before, stances, *test::nao(), checks_before, target, never);
     const auto dut = search(after, stances, *test::nao(), checks_after, target, never);
     if (dut) {
@@ -159,8 +190,8 @@ TEST_P(SearchIn, CostsNoLessWithLinksClosedAndNoMoreWithThemOpenAgain) {
   }
 }
 
-/// Turning on does not help such a robot where it cannot switch: what one arrival can reach another cannot, even
-/// if it can turn there.
+/// Turning on does not help such a robot where it cannot switch: what one arrival can reach another cannot,
+/// even if it can turn there.
 TEST(Search, LosesNoWayOfARobotWhoseSwitchesNeedRoom) {
   Robot robot = *test::nao();
   for (Switch& change : robot.switches)
@@ -175,7 +206,7 @@ TEST(Search, LosesNoWayOfARobotWhoseSwitchesNeedRoom) {
     LinkChecks checks(graph, *shared);
     const Relaxed slow(*shared, roadmap, stances, {0, {0.3, 0}});
     for (Roadmap::PlaceId place = 1; place < roadmap.places.size(); place += 3) {
-      const Target target{0, {0.3, 0}, place, {-1.1, 1}, false};
+      const Target target{0, {0.3, 0}, {{place, {-1.1, 1}}}};
       const auto dut = search(graph, stances, robot, checks, target, never);
       const Cost least = slow.costTo({place, {-1.1, 1}});
       ASSERT_EQ(dut ? dut->cost : Cost::most(), least) << "seed " << seed << " place " << place;

@@ -44,7 +44,7 @@ class Shortening {
     auto passage = search(attached->graph, stances, checker_->robot(), checks, attached->target, never);
     if (!passage) return std::nullopt;
     const Keeping keeping{attached->graph.place(attached->target.start).keep_m,
-                          attached->graph.place(attached->target.goal).keep_m};
+                          attached->graph.place(attached->target.goals.front().place).keep_m};
     return Result{*passage, shortened(*checker_, stances, *passage, keeping, interrupt), keeping};
   }
 

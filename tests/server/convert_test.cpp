@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "server/wire_limits.hpp"
 #include "tests/server/plan_fixture.hpp"
@@ -17,13 +18,24 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-underway_PlanRequest goodRequest() { return toWire({{1, 2, 3}, 9}, fixture::question()).value(); }
+/// Which holds nothing that has to be freed.
+underway_PlanRequest goodRequest() { return **toWire({{1, 2, 3}, 9}, fixture::question()); }
+
+/// With other goals and a plan that is being followed.
+Question questionWithEverything() {
+  Question question = fixture::question();
+  question.other_goals = {{{1.5, 0.5}, {}, ""}, {{2.5, 1.0 / 7.0}, -0.0, "lateral"}};
+  question.purpose = Purpose::kReplan;
+  question.followed = {{fixture::planWithEverything(), 1, 0.25}, {"frontal", "lateral", "crawl"}, 0.3, 4.0};
+  return question;
+}
+WireRequest fullRequest() { return std::move(*toWire({{1, 2, 3}, 9}, questionWithEverything())); }
 
 TEST(ConvertRequest, arrivesAsItWasAsked) {
   const Question question = fixture::question();
   const Expected<Received> received = fromWire(goodRequest(), fixture::served().robot);
   ASSERT_TRUE(received) << received.error().message;
-  const Request& request = received->request;
+  const Request& request = received->asked.request;
   EXPECT_EQ(request.start, question.start);
   EXPECT_TRUE(std::signbit(request.start.yaw));
   EXPECT_EQ(request.start_mode, 0);
@@ -34,7 +46,7 @@ TEST(ConvertRequest, arrivesAsItWasAsked) {
   EXPECT_EQ(request.max_detour, 2.5);
   EXPECT_EQ(received->deadline, question.deadline);
   EXPECT_EQ(idOf(goodRequest().id), (RequestId{{1, 2, 3}, 9}));
-  EXPECT_EQ(partitionOf(goodRequest()), "nao_1");
+  EXPECT_EQ(partitionOf(goodRequest().robot), "nao_1");
 }
 
 TEST(ConvertRequest, emptyModesAndPolicyAreTheFirstAndAnyHeadingIsFree) {
@@ -45,11 +57,11 @@ TEST(ConvertRequest, emptyModesAndPolicyAreTheFirstAndAnyHeadingIsFree) {
   wire.max_detour = kInfinity;
   const Expected<Received> received = fromWire(wire, fixture::served().robot);
   ASSERT_TRUE(received) << received.error().message;
-  EXPECT_EQ(received->request.start_mode, 0);
-  EXPECT_EQ(received->request.goal_mode, 0);
-  EXPECT_EQ(received->request.policy, Policy::kPriority);
-  EXPECT_FALSE(received->request.goal_yaw.has_value());
-  EXPECT_EQ(received->request.max_detour, kInfinity);
+  EXPECT_EQ(received->asked.request.start_mode, 0);
+  EXPECT_EQ(received->asked.request.goal_mode, 0);
+  EXPECT_EQ(received->asked.request.policy, Policy::kPriority);
+  EXPECT_FALSE(received->asked.request.goal_yaw.has_value());
+  EXPECT_EQ(received->asked.request.max_detour, kInfinity);
 }
 
 TEST(ConvertRequest, namesTheFieldThatIsWrong) {
@@ -98,7 +110,7 @@ TEST(ConvertRequest, refusesToSendWhatTheWireCannotCarry) {
   for (const auto& [field, spoil] : cases) {
     Question question = fixture::question();
     spoil(question);
-    const Expected<underway_PlanRequest> wire = toWire({}, question);
+    const Expected<WireRequest> wire = toWire({}, question);
     ASSERT_FALSE(wire) << field;
     EXPECT_EQ(wire.error().code, ErrorCode::kInvalidRequest) << field;
     EXPECT_NE(wire.error().message.find(field), std::string::npos) << wire.error().message;
@@ -116,6 +128,8 @@ TEST(ConvertRequest, survivesMutatedBytes) {
     const std::span bytes(reinterpret_cast<unsigned char*>(&wire), sizeof wire);
     for (unsigned i = 0, changes = 1 + random() % 8; i < changes; ++i)
       bytes[random() % bytes.size()] = static_cast<unsigned char>(random());
+    wire.other_goals = goodRequest().other_goals;  // pointers stay, for DDS itself makes them
+    wire.following = goodRequest().following;
     const Expected<Received> received = fromWire(wire, robot);
     if (!received) {
       EXPECT_EQ(received.error().code, ErrorCode::kInvalidRequest);
@@ -123,17 +137,119 @@ TEST(ConvertRequest, survivesMutatedBytes) {
       continue;
     }
     ++accepted;
-    const Request& request = received->request;
+    const Request& request = received->asked.request;
     for (const double value : {request.start.x, request.start.y, request.goal.x, request.goal.y})
       EXPECT_LE(std::abs(value), World::kLargest_m);
     EXPECT_LE(std::abs(request.start.yaw), 1000.0);
     EXPECT_LT(std::max(request.start_mode, request.goal_mode), robot.modes.size());
     EXPECT_GE(request.max_detour, 1.0);
     EXPECT_GE(received->deadline, std::chrono::milliseconds(1));
-    EXPECT_TRUE(isRobotName(partitionOf(wire)));
+    EXPECT_TRUE(isRobotName(partitionOf(wire.robot)));
   }
   EXPECT_GT(accepted, 1000);
   EXPECT_LT(accepted, 19'000);
+}
+
+TEST(ConvertRequest, otherGoalsAndThePlanThatIsFollowedArriveAsTheyWereAsked) {
+  const Question question = questionWithEverything();
+  Robot robot = fixture::served().robot;
+  robot.modes[0].speed_mps.fill(0.05);
+  const Expected<Received> received = fromWire(*fullRequest(), robot);
+  ASSERT_TRUE(received) << received.error().message;
+  const Asked& asked = received->asked;
+  EXPECT_EQ(asked.request.other_goals, (std::vector<Goal>{{{1.5, 0.5}, {}, 0}, {{2.5, 1.0 / 7.0}, -0.0, 1}}));
+  EXPECT_EQ(asked.purpose, Purpose::kReplan);
+  EXPECT_EQ(asked.executing.segment, 1U);
+  EXPECT_EQ(asked.executing.done, 0.25);
+  EXPECT_EQ(asked.reluctance.share, 0.3);
+  EXPECT_EQ(asked.reluctance.least_s, 4.0);
+  const std::vector<Segment>& sent = question.followed.executing.plan.segments;
+  ASSERT_EQ(asked.executing.plan.segments.size(), sent.size());
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    EXPECT_EQ(asked.executing.plan.segments[i].motion, sent[i].motion);
+  EXPECT_EQ(asked.executing.plan.goal, question.followed.executing.plan.goal);
+  EXPECT_NEAR(asked.executing.plan.segments[0].duration_s, 3.2 / 0.05,
+              1e-9);  // the robot's, not the client's
+}
+
+TEST(ConvertRequest, modesOfThePlanThatIsFollowedAreToldByTheirNames) {
+  Question question = questionWithEverything();
+  question.followed.mode_names = {"crawl", "frontal", "lateral"};
+  const auto wire = toWire({}, question);
+  const Expected<Received> received = fromWire(**wire, fixture::served().robot);
+  ASSERT_TRUE(received) << received.error().message;
+  EXPECT_EQ(received->asked.executing.plan.segments[0].motion.mode, 2);
+  EXPECT_EQ(received->asked.executing.plan.segments[2].motion.to_mode, 1);
+}
+
+TEST(ConvertRequest, namesTheFieldOfAPlanThatIsFollowedThatIsWrong) {
+  const std::pair<const char*, void (*)(underway_PlanRequest&)> cases[] = {
+      {"kind", [](auto& wire) { std::memset(&wire.kind, 7, 1); }},
+      {"other_goals[1]", [](auto& wire) { wire.other_goals._buffer[1].x_m = kNan; }},
+      {"other_goals[0]", [](auto& wire) { std::memset(&wire.other_goals._buffer[0].has_yaw, 2, 1); }},
+      {"other_goals[1].mode", [](auto& wire) { std::strcpy(wire.other_goals._buffer[1].mode, "hover"); }},
+      {"following.modes[2]", [](auto& wire) { std::strcpy(wire.following.modes._buffer[2], "hover"); }},
+      {"following.step ", [](auto& wire) { wire.following.step = 4; }},
+      {"following.done", [](auto& wire) { wire.following.done = kNan; }},
+      {"following.least_gain ", [](auto& wire) { wire.following.least_gain = 1.5; }},
+      {"following.least_gain_s", [](auto& wire) { wire.following.least_gain_s = -1.0; }},
+      {"following.steps[0]", [](auto& wire) { wire.following.steps._buffer[0].from.x_m = 1e6; }},
+      {"following.steps[1]", [](auto& wire) { wire.following.steps._buffer[1].angle_rad = kInfinity; }},
+      {"following.steps[1]", [](auto& wire) { std::memset(&wire.following.steps._buffer[1].kind, 9, 1); }},
+      {"following.steps[2]", [](auto& wire) { wire.following.steps._buffer[2].to_mode = 3; }},
+  };
+  for (const auto& [field, spoil] : cases) {
+    const WireRequest wire = fullRequest();
+    spoil(*wire);
+    const Expected<Received> received = fromWire(*wire, fixture::served().robot);
+    ASSERT_FALSE(received) << field;
+    EXPECT_TRUE(received.error().message.starts_with(field)) << field << ": " << received.error().message;
+  }
+}
+
+TEST(ConvertRequest, countsThatAreTooLargeOrNothingAreRefusedUnread) {
+  const std::pair<const char*, std::uint32_t& (*)(underway_PlanRequest&)> counts[] = {
+      {"other_goals", [](auto& wire) -> std::uint32_t& { return wire.other_goals._length; }},
+      {"following.modes", [](auto& wire) -> std::uint32_t& { return wire.following.modes._length; }},
+      {"following.steps", [](auto& wire) -> std::uint32_t& { return wire.following.steps._length; }},
+  };
+  for (const auto& [field, count] : counts) {
+    for (const std::uint32_t wrong : {5000U, 4'000'000'000U, 0U}) {
+      const WireRequest wire = fullRequest();
+      const std::uint32_t right = std::exchange(count(*wire), wrong);
+      const Expected<Received> received = fromWire(*wire, fixture::served().robot);
+      count(*wire) = right;                                             // so that all of it is freed
+      if (wrong == 0 && field == std::string("other_goals")) continue;  // that is all right
+      ASSERT_FALSE(received) << field << " " << wrong;
+      EXPECT_TRUE(received.error().message.starts_with(field)) << received.error().message;
+    }
+  }
+}
+
+TEST(ConvertRequest, sixtyFourGoalsAreSentAndNoMore) {
+  Question question = fixture::question();
+  question.other_goals.resize(63);
+  EXPECT_TRUE(toWire({}, question));
+  question.other_goals.resize(64);
+  const auto wire = toWire({}, question);
+  ASSERT_FALSE(wire);
+  EXPECT_NE(wire.error().message.find("other_goals must be 63 at most"), std::string::npos);
+}
+
+TEST(ConvertReply, saysWhichGoalItLeadsToAndHowItWasChosen) {
+  Question question = questionWithEverything();
+  Plan plan = fixture::planWithEverything();
+  plan.goal_index = 2;
+  const WireReply wire = toWire({}, fixture::served(), Replanned{plan, false, "the plan still holds"});
+  const Expected<PlanDocument> document = fromWire(*wire, question);
+  ASSERT_TRUE(document) << document.error().message;
+  EXPECT_EQ(document->answer->goal_index, 2U);
+  EXPECT_EQ(document->request.other_goals[1].mode, 1);
+  ASSERT_TRUE(document->choice);
+  EXPECT_FALSE(document->choice->is_new);
+  EXPECT_EQ(document->choice->why, "the plan still holds");
+  wire->goal_index = 3;
+  EXPECT_FALSE(fromWire(*wire, question));
 }
 
 TEST(ConvertReply, aPlanArrivesBitForBit) {
@@ -157,7 +273,7 @@ TEST(ConvertReply, everyFailureArrivesWithWhatBlocks) {
   const Question question = fixture::question();
   for (int code = 0; code < kErrorCodeCount; ++code) {
     const Error error{
-        static_cast<ErrorCode>(code), "no way \xC3\xA9", {{"table", "crawl", "height", 0.21, 0.19}}};
+        static_cast<ErrorCode>(code), "no way \xC3\xA9", {{"table", "crawl", "height", 0.21, 0.19}}, 3, "ff"};
     const WireReply wire = toWire({}, fixture::served(), tl::unexpected(error));
     const Expected<PlanDocument> document = fromWire(*wire, question);
     ASSERT_TRUE(document) << document.error().message;

@@ -36,8 +36,6 @@ inline Served served() {
   served.robot.modes[1].name = "lateral";
   served.robot.modes[2].name = "crawl";
   served.map_name = "scenario3";
-  served.revision = 7;
-  served.world_hash = "0123456789abcdef";
   served.robot_hash = "fedcba9876543210";
   served.seed = 42;
   return served;
@@ -61,6 +59,8 @@ inline Plan planWithEverything(double offset = 0.0) {
   plan.length_m = 3.2;
   plan.goal = d;
   plan.stats = {2000, 30000, 3, 812.5, 92.25, 1e-3};
+  plan.revision = 7;
+  plan.world_hash = "0123456789abcdef";
   return plan;
 }
 
@@ -79,6 +79,8 @@ inline Question question(std::string robot = "nao_1", double x = 0.1) {
 
 /// What planning on the spot would have given.
 inline PlanDocument documentFor(const Question& question, const Served& served, Expected<Plan> answer) {
+  const std::uint64_t revision = answer ? answer->revision : answer.error().revision;
+  const std::string world_hash = answer ? answer->world_hash : answer.error().world_hash;
   return {.request = {.start = question.start,
                       .start_mode = *served.robot.findMode(question.start_mode),
                       .goal = question.goal,
@@ -89,8 +91,8 @@ inline PlanDocument documentFor(const Question& question, const Served& served, 
           .robot_name = served.robot.name,
           .mode_names = {"frontal", "lateral", "crawl"},
           .map_name = served.map_name,
-          .revision = served.revision,
-          .world_hash = served.world_hash,
+          .revision = revision,
+          .world_hash = world_hash,
           .robot_hash = served.robot_hash,
           .seed = served.seed,
           .answer = std::move(answer)};

@@ -26,12 +26,12 @@ using Deadline = std::chrono::steady_clock::time_point;
 constexpr seconds kPatience{60};  // for replies that must come: long, for slow machines
 
 /// Plans that tell the request apart: their first pose's x repeats the request's.
-Expected<Plan> echo(const Request& request, Deadline, std::stop_token) {
-  return fixture::planWithEverything(request.start.x);
+Expected<Given> echo(const Asked& asked, Deadline, std::stop_token) {
+  return fixture::planWithEverything(asked.request.start.x);
 }
 
 /// Waits to be told to stop, as a planner in the middle of a search would notice.
-Expected<Plan> untilStopped(std::stop_token stopping) {
+Expected<Given> untilStopped(std::stop_token stopping) {
   std::mutex mutex;
   std::condition_variable_any stopped;
   std::unique_lock lock(mutex);
@@ -75,10 +75,10 @@ TEST(PlanService, theHandlerSeesTheRequestAndADeadlineFromArrival) {
   const auto before = std::chrono::steady_clock::now();
   Request seen;
   Deadline deadline;
-  const PlanService dut = serve(domain, [&](const Request& request, Deadline until, std::stop_token stop) {
-    seen = request;
+  const PlanService dut = serve(domain, [&](const Asked& asked, Deadline until, std::stop_token stop) {
+    seen = asked.request;
     deadline = until;
-    return echo(request, until, std::move(stop));
+    return echo(asked, until, std::move(stop));
   });
   PlanClient asker = client(domain);
   Question question = fixture::question();
@@ -93,7 +93,7 @@ TEST(PlanService, theHandlerSeesTheRequestAndADeadlineFromArrival) {
 TEST(PlanService, failuresOfTheHandlerArriveAsTheyAre) {
   const auto domain = fixture::openDomain();
   const Error error{
-      ErrorCode::kNoPathExists, "the table is too low", {{"table", "crawl", "height", 0.21, 0.19}}};
+      ErrorCode::kNoPathExists, "the table is too low", {{"table", "crawl", "height", 0.21, 0.19}}, 9, "abc"};
   const PlanService dut = serve(domain, [&](auto&&...) -> Expected<Plan> { return tl::unexpected(error); });
   PlanClient asker = client(domain);
   const Question question = fixture::question();
@@ -106,9 +106,9 @@ TEST(PlanService, failuresOfTheHandlerArriveAsTheyAre) {
 TEST(PlanService, aHandlerThatThrowsIsAnInternalErrorAndTheServerLives) {
   const auto domain = fixture::openDomain();
   std::atomic<int> calls = 0;
-  const PlanService dut = serve(domain, [&](const Request& request, Deadline until, std::stop_token stop) {
+  const PlanService dut = serve(domain, [&](const Asked& asked, Deadline until, std::stop_token stop) {
     if (calls++ == 0) throw std::runtime_error("out of luck");
-    return echo(request, until, std::move(stop));
+    return echo(asked, until, std::move(stop));
   });
   PlanClient asker = client(domain);
   const Expected<PlanDocument> first = asker.ask(fixture::question(), kPatience);
@@ -162,12 +162,12 @@ TEST(PlanService, eightClientsAtOnceEachGetJustTheirOwnReplies) {
   const auto domain = fixture::openDomain();
   std::mutex mutex;
   std::multiset<double> planned;
-  const PlanService dut = serve(domain, [&](const Request& request, Deadline until, std::stop_token stop) {
+  const PlanService dut = serve(domain, [&](const Asked& asked, Deadline until, std::stop_token stop) {
     {
       const std::scoped_lock lock(mutex);
-      planned.insert(request.start.x);
+      planned.insert(asked.request.start.x);
     }
-    return echo(request, until, std::move(stop));
+    return echo(asked, until, std::move(stop));
   });
   std::atomic<int> right = 0;
   {
@@ -196,7 +196,7 @@ TEST(PlanService, stoppingCancelsWhatIsBeingPlanned) {
   const auto domain = fixture::openDomain();
   std::latch started(kClients);
   PlanService dut = serve(domain,
-                          [&](const Request&, Deadline, std::stop_token stop) {
+                          [&](const Asked&, Deadline, std::stop_token stop) {
                             started.count_down();
                             return untilStopped(std::move(stop));
                           },
@@ -247,7 +247,7 @@ TEST(PlanClient, saysWhenThereIsNoServer) {
 TEST(PlanClient, saysWhenTheServerDoesNotAnswerInTime) {
   const auto domain = fixture::openDomain();
   const PlanService service = serve(
-      domain, [](const Request&, Deadline, std::stop_token stop) { return untilStopped(std::move(stop)); });
+      domain, [](const Asked&, Deadline, std::stop_token stop) { return untilStopped(std::move(stop)); });
   PlanClient dut = client(domain);
   const Expected<PlanDocument> document = dut.ask(fixture::question(), seconds(2));
   ASSERT_FALSE(document);

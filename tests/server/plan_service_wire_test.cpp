@@ -82,7 +82,7 @@ class RawClient {
 constexpr std::array<std::uint8_t, 16> kClient{7, 7};
 
 underway_PlanRequest request(std::uint64_t number, const char* robot = "nao_1") {
-  return toWire({kClient, number}, fixture::question(robot)).value();
+  return **toWire({kClient, number}, fixture::question(robot));  // which holds nothing that has to be freed
 }
 
 using Replies = std::multimap<std::uint64_t, int>;
@@ -93,7 +93,7 @@ struct PlanServiceWire : testing::Test {
   std::shared_ptr<const Domain> domain = fixture::openDomain();
   std::atomic<int> planned = 0;
   PlanService dut = PlanService::start(domain, fixture::served(),
-                                       [this](auto&&...) -> Expected<Plan> {
+                                       [this](auto&&...) -> Expected<Given> {
                                          ++planned;
                                          return fixture::planWithEverything();
                                        },
@@ -186,7 +186,7 @@ TEST(PlanServiceWireStill, aReplyThatNobodyFetchesDoesNotKeepTheServiceFromEndin
   const auto domain = fixture::openDomain();
   std::atomic<bool> is_planned = false;
   PlanService dut = PlanService::start(domain, fixture::served(),
-                                       [&](auto&&...) -> Expected<Plan> {
+                                       [&](auto&&...) -> Expected<Given> {
                                          is_planned = true;
                                          return fixture::planWithEverything();
                                        },
@@ -204,7 +204,7 @@ TEST(PlanServiceWireStill, aResendOfWhatIsBeingPlannedIsNotPlannedAgain) {
   std::atomic<int> planned = 0;
   std::atomic<bool> may_end = false;
   const PlanService dut = PlanService::start(domain, fixture::served(),
-                                             [&](auto&&...) -> Expected<Plan> {
+                                             [&](auto&&...) -> Expected<Given> {
                                                ++planned;
                                                may_end.wait(false);
                                                return fixture::planWithEverything();
@@ -228,7 +228,7 @@ TEST(PlanServiceWireBusy, oneTooManyIsBusyAndStaysSo) {
   std::atomic<int> planned = 0;
   std::atomic<bool> may_end = false;
   const PlanService dut = PlanService::start(domain, fixture::served(),
-                                             [&](auto&&...) -> Expected<Plan> {
+                                             [&](auto&&...) -> Expected<Given> {
                                                ++planned;
                                                may_end.wait(false);
                                                return fixture::planWithEverything();
@@ -253,14 +253,14 @@ TEST(PlanServiceWireEnd, aBurstThatCameBeforeTheEndIsAnsweredToTheLast) {
   constexpr std::uint64_t kBurst = 60;  // no deeper than the replies that a reader keeps
   const auto domain = fixture::openDomain();
   std::atomic<bool> is_planning = false;
-  PlanService dut = PlanService::start(domain, fixture::served(),
-                                       [&](const Request&, Clock::time_point,
-                                           const std::stop_token& stop) -> Expected<Plan> {
-                                         is_planning = true;
-                                         while (!stop.stop_requested()) std::this_thread::yield();
-                                         return fail(ErrorCode::kCancelled, "stopped");
-                                       },
-                                       {.threads = 1})
+  PlanService dut = PlanService::start(
+                        domain, fixture::served(),
+                        [&](const Asked&, Clock::time_point, const std::stop_token& stop) -> Expected<Given> {
+                          is_planning = true;
+                          while (!stop.stop_requested()) std::this_thread::yield();
+                          return fail(ErrorCode::kCancelled, "stopped");
+                        },
+                        {.threads = 1})
                         .value();
   RawClient client(domain, "nao_1");
   client.listen();

@@ -22,7 +22,7 @@ struct Finished {
   std::mutex mutex;
   std::multimap<std::uint64_t, int> codes;
   PlanWorkers::Finish keep() {
-    return [this](const Job& job, const Expected<Plan>& plan) {
+    return [this](const Job& job, const Expected<Given>& plan) {
       const std::scoped_lock lock(mutex);
       codes.emplace(job.id.sequence, plan ? kPlan : static_cast<int>(plan.error().code));
     };
@@ -33,19 +33,19 @@ Job job(std::uint64_t number, Clock::time_point deadline = Clock::time_point::ma
   return {{{}, number}, "nao_1", {}, deadline};
 }
 
-Expected<Plan> plan(const Request&, Clock::time_point, const std::stop_token&) { return Plan{}; }
+Expected<Given> plan(const Asked&, Clock::time_point, const std::stop_token&) { return Plan{}; }
 
 TEST(PlanWorkers, aJobWhoseDeadlineHasPassedIsNotPlanned) {
   std::atomic<int> calls = 0;
-  std::promise<Expected<Plan>> finished;
+  std::promise<Expected<Given>> finished;
   PlanWorkers dut(
-      [&](auto&&...) -> Expected<Plan> {
+      [&](auto&&...) -> Expected<Given> {
         ++calls;
         return Plan{};
       },
-      [&](const Job&, Expected<Plan> answer) { finished.set_value(std::move(answer)); }, 1, 1);
+      [&](const Job&, Expected<Given> answer) { finished.set_value(std::move(answer)); }, 1, 1);
   ASSERT_TRUE(dut.offer(job(1, Clock::now() - std::chrono::milliseconds(1))));
-  const Expected<Plan> answer = finished.get_future().get();
+  const Expected<Given> answer = finished.get_future().get();
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
   EXPECT_EQ(calls, 0);
@@ -57,7 +57,7 @@ TEST(PlanWorkers, refuseWhatTheQueueHasNoRoomFor) {
   Finished finished;
   {
     PlanWorkers dut(
-        [&](auto&&...) -> Expected<Plan> {
+        [&](auto&&...) -> Expected<Given> {
           started.count_down();
           may_end.wait();
           return Plan{};
@@ -88,11 +88,11 @@ TEST(PlanWorkers, finishEveryJobExactlyOnceAlsoWhenDestroyedInTheMiddle) {
 }
 
 TEST(PlanWorkers, turnWhatAHandlerThrowsIntoAnInternalError) {
-  std::promise<Expected<Plan>> finished;
-  PlanWorkers dut([](auto&&...) -> Expected<Plan> { throw std::runtime_error("out of luck"); },
-                  [&](const Job&, Expected<Plan> answer) { finished.set_value(std::move(answer)); }, 1, 1);
+  std::promise<Expected<Given>> finished;
+  PlanWorkers dut([](auto&&...) -> Expected<Given> { throw std::runtime_error("out of luck"); },
+                  [&](const Job&, Expected<Given> answer) { finished.set_value(std::move(answer)); }, 1, 1);
   ASSERT_TRUE(dut.offer(job(1)));
-  const Expected<Plan> answer = finished.get_future().get();
+  const Expected<Given> answer = finished.get_future().get();
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().code, ErrorCode::kInternal);
   EXPECT_NE(answer.error().message.find("out of luck"), std::string::npos);

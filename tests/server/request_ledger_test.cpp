@@ -8,14 +8,14 @@
 namespace underway {
 namespace {
 
-Answer answerTo(std::uint64_t sequence, const Expected<Plan>& plan) {
+FinalReply answerTo(std::uint64_t sequence, const Expected<Plan>& plan) {
   const RequestId id{{}, sequence};
-  return {id, "nao_1", toWire(id, fixture::served(), plan)};
+  return {id, "nao_1", toWire(id, fixture::served(), plan), plan ? plan->segments.size() : 0};
 }
 
 TEST(RequestLedger, aRequestIsUnknownThenInFlightThenAnswered) {
   RequestLedger dut;
-  const Answer answer = answerTo(1, fail(ErrorCode::kTimeout, "late"));
+  const FinalReply answer = answerTo(1, fail(ErrorCode::kTimeout, "late"));
   EXPECT_FALSE(dut.isInFlight(answer.id));
   EXPECT_EQ(dut.answerTo(answer.id), nullptr);
   dut.begin(answer.id);
@@ -54,7 +54,7 @@ TEST(RequestLedger, keepsTheLastAnswerHoweverHeavy) {
 
 TEST(RequestLedger, answeringTwiceKeepsTheFirst) {
   RequestLedger dut;
-  const Answer first = answerTo(1, fail(ErrorCode::kTimeout, "first"));
+  const FinalReply first = answerTo(1, fail(ErrorCode::kTimeout, "first"));
   dut.finish(first);
   dut.finish(answerTo(1, fail(ErrorCode::kTimeout, "second")));
   EXPECT_EQ(dut.answerTo(first.id)->reply, first.reply);
