@@ -19,6 +19,7 @@ const fs::path kProject = UNDERWAY_SOURCE_DIR;
 /// What each folder may include of ours, besides itself.
 const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {}},
+    {"gait", {}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
     {"bench", {"geometry", "planner"}},
