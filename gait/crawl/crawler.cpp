@@ -27,19 +27,24 @@ std::vector<std::string> Crawler::joints() const {
   std::vector<std::string> names;
   for (const auto& side : sides)
     for (const MappedJoint& joint : side) names.push_back(joint.name);
+  if (head) names.push_back(head->name);
   for (const HeldJoint& joint : held) names.push_back(joint.name);
   return names;
 }
 
-Feasible<SideAngles> sideOf(const Crawler& crawler, const ChainAngles& chain, double spread_m,
-                            double rise_rad) {
-  const auto roll = shoulderRollFor(crawler.arm, spread_m);
+SideShape shapeOf(const ChainAngles& chain, double spread_m) {
+  const double back = chain.back();
+  return {chain.ankle(), chain.knee(), chain.hip(), back, back + chain.shoulder(), spread_m, 0.0};
+}
+
+Feasible<SideAngles> anglesOf(const Crawler& crawler, const SideShape& shape) {
+  const auto roll = shoulderRollFor(crawler.arm, shape.spread_m);
   if (!roll) return tl::unexpected(roll.error());
-  const double tilt = chain.back() - rise_rad;
+  const double tilt = shape.back - shape.rise;
   const Eigen::Vector3d forearm{std::sin(tilt), 0.0, std::cos(tilt)};  // in the torso's frame
-  const double pitch = -0.5 * std::numbers::pi - chain.shoulder();
+  const double pitch = -0.5 * std::numbers::pi - (shape.alpha - shape.back);
   const ArmAngles arm = pointForearm({pitch, *roll, 0.0, 0.0}, forearm, crawler.mostBend());
-  return SideAngles{chain.ankle(),     chain.knee(),  chain.hip(),   arm.shoulder_pitch,
+  return SideAngles{shape.ankle,       shape.knee,    shape.hip,     arm.shoulder_pitch,
                     arm.shoulder_roll, arm.elbow_yaw, arm.elbow_roll};
 }
 

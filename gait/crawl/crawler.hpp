@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,21 +57,34 @@ struct Crawler {
   double shoulder_half_width_m = 0.0;  ///< from the middle to the shoulder joint
   double hip_half_width_m = 0.0;
   std::array<std::array<MappedJoint, kCrawlJoints>, 2> sides;  ///< left, right
+  std::optional<MappedJoint> head;  ///< pitch of the head, towards the chest positive
   std::vector<HeldJoint> held;
 
   /// The chain's lengths when the elbows are `spread_m` outside of the shoulders [m].
   [[nodiscard]] LinkLengths lengths(double spread_m) const;
   /// The most the elbow bends, on the side that bends less [rad].
   [[nodiscard]] double mostBend() const;
-  /// All names: left, right, held.
+  /// All names: left, right, head, held.
   [[nodiscard]] std::vector<std::string> joints() const;
 };
 
-/// One side as the chain has it: the leg's joints, and an arm whose elbow is `spread_m` outside of the
-/// shoulder and whose forearm points ahead, `rise_rad` up from the line from toe to elbow. Infeasible when
-/// the spread is wider than the humerus is long.
-[[nodiscard]] Feasible<SideAngles> sideOf(const Crawler& crawler, const ChainAngles& chain, double spread_m,
-                                          double rise_rad = 0.0);
+/// One side seen from the side: the leg's joints, and where the upper arm points [rad].
+struct SideShape {
+  double ankle = 0.0;     ///< theta2
+  double knee = 0.0;      ///< theta3
+  double hip = 0.0;       ///< theta4
+  double back = 0.0;      ///< the back against the floor
+  double alpha = 0.0;     ///< the upper arm against the floor, projected
+  double spread_m = 0.0;  ///< of the elbow, outside of the shoulder
+  double rise = 0.0;      ///< of the forearm, which points ahead
+};
+
+/// The closed chain's.
+[[nodiscard]] SideShape shapeOf(const ChainAngles& chain, double spread_m);
+
+/// As joint angles. The elbow bends as far as it can (pointForearm). Infeasible when the spread is wider than
+/// the humerus is long.
+[[nodiscard]] Feasible<SideAngles> anglesOf(const Crawler& crawler, const SideShape& shape);
 
 /// NAO. Lengths: nao_V50.urdf; the toe is 93.5 mm ahead of the ankle and 45.19 mm below (Brooks 2017).
 [[nodiscard]] const Crawler& naoCrawler();

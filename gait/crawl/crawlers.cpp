@@ -15,19 +15,24 @@ bool isMirrored(std::size_t joint) { return joint >= kShoulderRoll; }
 Crawler makeNao() {
   constexpr double kToeAhead_m = 0.0935;
   constexpr double kToeBelow_m = 0.04519;
-  Crawler crawler{
-      "nao", {std::hypot(kToeAhead_m, kToeBelow_m), 0.1029, 0.1, 0.185}, {0.105, 0.015}, 0.098, 0.05, {}, {}};
+  Crawler crawler;
+  crawler.name = "nao";
+  crawler.links_m = {std::hypot(kToeAhead_m, kToeBelow_m), 0.1029, 0.1, 0.185};
+  crawler.arm = {0.105, 0.015};
+  crawler.shoulder_half_width_m = 0.098;
+  crawler.hip_half_width_m = 0.05;
   constexpr std::array kJoints{"AnklePitch",   "KneePitch", "HipPitch", "ShoulderPitch",
                                "ShoulderRoll", "ElbowYaw",  "ElbowRoll"};
   for (std::size_t side = 0; side < 2; ++side)
     for (std::size_t joint = 0; joint < kCrawlJoints; ++joint) {
-      const std::string name = (side == 0 ? "L" : "R") + std::string(kJoints[joint]);
+      const std::string name = std::string(side == 0 ? "L" : "R").append(kJoints[joint]);
       const double sign = side == 1 && isMirrored(joint) ? -1.0 : 1.0;
       const double offset = joint == kAnkle ? std::atan2(kToeAhead_m, kToeBelow_m) : 0.0;
       crawler.sides[side][joint] = {name, sign, offset, nao().links[*nao().findJoint(name)].limits};
     }
-  for (const char* name : {"HeadYaw", "HeadPitch", "LHipYawPitch", "LHipRoll", "LAnkleRoll", "LWristYaw",
-                           "RHipRoll", "RAnkleRoll", "RWristYaw"})
+  crawler.head = MappedJoint{"HeadPitch", 1.0, 0.0, nao().links[*nao().findJoint("HeadPitch")].limits};
+  for (const char* name : {"HeadYaw", "LHipYawPitch", "LHipRoll", "LAnkleRoll", "LWristYaw", "RHipRoll",
+                           "RAnkleRoll", "RWristYaw"})
     crawler.held.push_back({name, 0.0});
   return crawler;
 }
@@ -64,19 +69,23 @@ std::vector<PoppyRow> poppyRows(double ankle_rad) {
 Crawler makePoppy() {
   constexpr double kToeAhead_m = 0.110;
   constexpr double kToeBelow_m = 0.035;
-  Crawler crawler{
-      "poppy", {std::hypot(kToeAhead_m, kToeBelow_m), 0.18, 0.182, 0.2665}, {0.148, 0.0}, 0.1055, 0.0665, {},
-      {}};
+  Crawler crawler;
+  crawler.name = "poppy";
+  crawler.links_m = {std::hypot(kToeAhead_m, kToeBelow_m), 0.18, 0.182, 0.2665};
+  crawler.arm = {0.148, 0.0};
+  crawler.shoulder_half_width_m = 0.1055;
+  crawler.hip_half_width_m = 0.0665;
   const std::vector<PoppyRow> rows = poppyRows(std::atan2(kToeAhead_m, kToeBelow_m));
   for (std::size_t joint = 0; joint < kCrawlJoints; ++joint) {
     const PoppyRow& row = rows[joint];
     const std::string name = row.joint;
     crawler.sides[0][joint] = {std::string("l_").append(name), row.sign, row.offset_rad, row.left};
-    crawler.sides[1][joint] = {std::string("r_").append(name), row.right_sign * row.sign, row.right_sign * row.offset_rad,
-                               row.right};
+    crawler.sides[1][joint] = {std::string("r_").append(name), row.right_sign * row.sign,
+                               row.right_sign * row.offset_rad, row.right};
   }
-  for (const char* name : {"head_z", "head_y", "l_hip_x", "l_hip_z", "r_hip_x", "r_hip_z", "abs_y", "abs_x",
-                           "abs_z", "bust_y", "bust_x"})
+  crawler.head = MappedJoint{"head_y", -1.0, 0.0, {-0.698132, 0.139626, 10.0, 1.8}};
+  for (const char* name :
+       {"head_z", "l_hip_x", "l_hip_z", "r_hip_x", "r_hip_z", "abs_y", "abs_x", "abs_z", "bust_y", "bust_x"})
     crawler.held.push_back({name, 0.0});
   return crawler;
 }
