@@ -1,5 +1,6 @@
-#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "apps/draw_gait.hpp"
@@ -121,10 +122,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 }  // namespace
 
-std::string animateGait(const std::string& title, const JointTable& motion, double pitch_rad) {
+std::string animateGait(const std::string& title, const JointTable& motion) {
+  constexpr double kFaceDown_rad = 0.5 * std::numbers::pi;
   std::vector<Limb> limbs = limbsOf("L", "l");
   for (Limb& limb : limbsOf("R", "r")) limbs.push_back(std::move(limb));
-  const std::vector<Rest> rests = settleAll(nao(), motion, pitch_rad);
+  const std::vector<Rest> rests = settleAll(nao(), motion, kFaceDown_rad);
   nlohmann::json page{{"times", nlohmann::json::array()}, {"frames", nlohmann::json::array()}};
   for (std::size_t row = 0; row < motion.rows(); ++row) {
     page["times"].push_back(motion.time(row));

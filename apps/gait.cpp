@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <numbers>
 
 #include "apps/commands.hpp"
 #include "apps/draw_gait.hpp"
@@ -84,12 +83,13 @@ std::string figuresOf(const gait::GaitFile& file, const gait::Envelope& room, co
   return table.text(wantsColour());
 }
 
-/// Down from standing, the crawl, and up again.
+/// Down from standing, the crawl, and up again, in rows as close as the crawl's.
 gait::JointTable withSwitches(const gait::JointTable& crawl) {
+  constexpr double kRow_s = 0.025;
   gait::JointTable motion = gait::goDown(crawl);
   motion.append(crawl);
   motion.append(gait::getUp(crawl));
-  return motion;
+  return motion.denser(kRow_s);
 }
 
 Expected<void> writeMotion(const gait::JointTable& motion, const std::string& out) {
@@ -100,13 +100,12 @@ Expected<void> writeMotion(const gait::JointTable& motion, const std::string& ou
 }
 
 Expected<void> writeAll(const CrawlArguments& arguments, const gait::CrawlGait& crawl,
-                        const gait::JointTable& motion) {
+                        const gait::JointTable& cycles, const gait::JointTable& motion) {
   if (const auto written = writeMotion(motion, arguments.out); !written) return written;
   if (!arguments.plot.empty())
-    if (const auto written = writeText(arguments.plot, drawGait(crawl, motion)); !written) return written;
+    if (const auto written = writeText(arguments.plot, drawGait(crawl, cycles)); !written) return written;
   if (arguments.html.empty()) return {};
-  const double pitch_rad = arguments.is_from_standing ? 0.0 : 0.5 * std::numbers::pi;
-  return writeText(arguments.html, animateGait("Crawl " + crawl.name, motion, pitch_rad));
+  return writeText(arguments.html, animateGait("Crawl " + crawl.name, cycles));
 }
 
 ExitCode runCrawl(const CrawlArguments& arguments) {
@@ -120,7 +119,7 @@ ExitCode runCrawl(const CrawlArguments& arguments) {
   const auto room = gait::crawlEnvelope(gait::nao(), gait::naoCrawler(), crawl);
   if (!room) return refuse(room.error().message);
   const gait::JointTable motion = arguments.is_from_standing ? withSwitches(*cycles) : *cycles;
-  if (const auto written = writeAll(arguments, crawl, motion); !written)
+  if (const auto written = writeAll(arguments, crawl, *cycles, motion); !written)
     return refuse(written.error().message, exitCodeOf(written.error().code));
   const auto told = writeOutput(figuresOf(*file, *room, motion, arguments.cycles));
   return told ? ExitCode::kDone : refuse(told.error().message, ExitCode::kOther);
@@ -169,11 +168,13 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
   crawl.add_option("--turn-rad", arguments.turn_rad, "Turn by this in each push, to the left")
       ->check(CLI::Range(-0.2, 0.2))
       ->type_name("RAD");
-  crawl.add_flag("--standing", arguments.is_from_standing, "Go down from standing before, get up after");
+  crawl.add_flag("--standing", arguments.is_from_standing,
+                 "The table also goes down from standing before, and gets up after");
   crawl.add_option("--out", arguments.out, "The joint table; .csv, or .json as NAOqi takes it")
       ->type_name("FILE");
-  crawl.add_option("--plot", arguments.plot, "Draw the gait")->type_name("FILE.svg");
-  crawl.add_option("--html", arguments.html, "Animate the gait")->type_name("FILE.html");
+  crawl.add_option("--plot", arguments.plot, "Draw the push and the cycles")->type_name("FILE.svg");
+  crawl.add_option("--html", arguments.html, "Animate the cycles, seen from the side")
+      ->type_name("FILE.html");
   crawl.footer(kCrawlExamples);
   return crawl;
 }

@@ -80,4 +80,20 @@ std::vector<double> JointTable::sample(double time_s) const {
   return angles_rad;
 }
 
+JointTable JointTable::denser(double step_s) const {
+  require(step_s > 0.0, "rows of a joint table cannot be that close");
+  JointTable table(joints_);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    if (row > 0) {
+      const double from_s = times_s_[row - 1];
+      const double gap_s = times_s_[row] - from_s;
+      const double steps = std::ceil(gap_s / step_s);
+      for (double i = 1.0; i < steps; i += 1.0)
+        table.append(from_s + gap_s * i / steps, sample(from_s + gap_s * i / steps));
+    }
+    table.append(times_s_[row], angles(row));
+  }
+  return table;
+}
+
 }  // namespace underway::gait

@@ -77,6 +77,7 @@ struct SideShape {
   double alpha = 0.0;     ///< the upper arm against the floor, projected
   double spread_m = 0.0;  ///< of the elbow, outside of the shoulder
   double rise = 0.0;      ///< of the forearm, which points ahead
+  bool operator==(const SideShape&) const = default;
 };
 
 /// The closed chain's.

@@ -11,13 +11,12 @@ namespace {
 
 constexpr double kFaceDown_rad = 0.5 * std::numbers::pi;
 
-/// Where the body frame's origin is: the joint that carries a link, which on NAO both sides have alike.
-double originOf(const Skeleton& skeleton, const JointTable& motion, const Rest& rest, std::size_t row,
-                Stance stance) {
+/// Where the body frame's origin is: below the hip joints.
+double hipX(const Skeleton& skeleton, const JointTable& motion, const Rest& rest, std::size_t row) {
   std::vector<double> pose;
   for (const std::string& joint : skeleton.joints()) pose.push_back(motion.angles(row)[*motion.find(joint)]);
-  const auto link = skeleton.findLink(stance == Stance::kStanding ? "l_ankle" : "LThigh");
-  if (!link) throw std::invalid_argument("the body frame needs the links l_ankle and LThigh");
+  const auto link = skeleton.findLink("LThigh");
+  if (!link) throw std::invalid_argument("the crawl's body frame is below LThigh, which the skeleton lacks");
   return (rest.placement() * placementsOf(skeleton, pose)[*link]).translation().x();
 }
 
@@ -50,21 +49,9 @@ GaitExpected<Envelope> crawlEnvelope(const Skeleton& skeleton, const Crawler& cr
   const std::size_t last = motion->rows() - 1;
   const std::size_t second = rowAt(*motion, gait.times.cycle());
   const std::size_t push = rowAt(*motion, gait.times.cycle() + gait.times.extension_s);
-  Envelope envelope =
-      envelopeFrom(rests, second, last, originOf(skeleton, *motion, rests[push], push, Stance::kLying));
+  Envelope envelope = envelopeFrom(rests, second, last, hipX(skeleton, *motion, rests[push], push));
   envelope.advance_m = rests[last].root.x() - rests[second].root.x();
   envelope.duration_s = gait.times.cycle();
-  return envelope;
-}
-
-Envelope switchEnvelope(const Skeleton& skeleton, const JointTable& motion, Stance from, Stance to) {
-  const std::vector<Rest> rests =
-      settleAll(skeleton, motion, from == Stance::kStanding ? 0.0 : kFaceDown_rad);
-  const std::size_t last = rests.size() - 1;
-  const double origin_x = originOf(skeleton, motion, rests.front(), 0, from);
-  Envelope envelope = envelopeFrom(rests, 0, last, origin_x);
-  envelope.advance_m = originOf(skeleton, motion, rests[last], last, to) - origin_x;
-  envelope.duration_s = motion.duration();
   return envelope;
 }
 

@@ -23,13 +23,4 @@ struct Envelope {
 [[nodiscard]] GaitExpected<Envelope> crawlEnvelope(const Skeleton& skeleton, const Crawler& crawler,
                                                    const CrawlGait& gait);
 
-/// How the robot is when a switch begins or ends.
-enum class Stance {
-  kStanding,  ///< the body frame is below the middle of the ankles
-  kLying,     ///< the body frame is below the middle of the hips
-};
-/// A switch, in the body frame it begins in.
-[[nodiscard]] Envelope switchEnvelope(const Skeleton& skeleton, const JointTable& motion, Stance from,
-                                      Stance to);
-
 }  // namespace underway::gait

@@ -21,8 +21,9 @@ MotionWriter::MotionWriter(const Crawler& crawler)
 
 void MotionWriter::write(double time_s, const Posture& posture) {
   std::size_t column = 0;
+  Feasible<SideAngles> angles;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto angles = anglesOf(crawler_, posture.sides[side]);
+    if (side == 0 || posture.sides[1] != posture.sides[0]) angles = anglesOf(crawler_, posture.sides[side]);
     if (!angles) return refuse(time_s, angles.error());
     for (std::size_t joint = 0; joint < kCrawlJoints; ++joint, ++column)
       put(column, time_s, crawler_.sides[side][joint], (*angles)[joint]);

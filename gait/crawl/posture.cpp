@@ -41,6 +41,10 @@ Feasible<Posture> turned(const Crawler& crawler, const CrawlGait& gait, const Ch
   posture.head_rad = headOver(gait, chain.back());
   for (std::size_t side = 0; side < 2; ++side) {
     const double ahead = side == 0 ? -turn_rad : turn_rad;  // the right side goes ahead
+    if (side == 1 && turn_rad == 0.0) {
+      posture.sides[1] = posture.sides[0];
+      continue;
+    }
     const auto shape = shifted(crawler, chain, lengths, elbow, ahead * crawler.hip_half_width_m,
                                ahead * crawler.shoulder_half_width_m);
     if (!shape) return tl::unexpected(shape.error());

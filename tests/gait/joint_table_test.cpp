@@ -52,6 +52,15 @@ TEST(JointTable, FollowsItselfWhenItEndsWhereItBegins) {
   EXPECT_EQ(dut.sample(3.0), std::vector{0.0});
 }
 
+TEST(JointTable, IsTheSameMotionWithDenserRows) {
+  const JointTable dut = twoRows().denser(0.3);
+  EXPECT_EQ(dut.rows(), 8U);
+  EXPECT_EQ(dut.angles(7)[0], 1.0);
+  for (double time_s = 0.5; time_s < 3.5; time_s += 0.1)
+    EXPECT_NEAR(dut.sample(time_s)[1], twoRows().sample(time_s)[1], 1e-12);
+  EXPECT_EQ(twoRows().denser(5.0), twoRows());
+}
+
 TEST(JointTable, RefusesToJumpToWhatFollows) {
   JointTable dut = twoRows();
   JointTable elsewhere(dut.joints());
