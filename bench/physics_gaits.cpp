@@ -66,15 +66,15 @@ void tellGait(const PhysicsRun& run, const gait::CrawlGait& gait, const Spread& 
 void tellSlope(const PhysicsRun& run, const char* name, const Ground& ground) {
   Spread spread;
   for (const std::uint64_t seed : {run.seeds.front(), run.seeds.back()})
-    spread.add(figuresOf(run, gait::steadyGait(), seed, {.ground = ground, .obstacles = {}}));
-  const std::string what = fmt::format("steady, {}: ", name);
+    spread.add(figuresOf(run, gait::cruiseGait(), seed, {.ground = ground, .obstacles = {}}));
+  const std::string what = fmt::format("cruise, {}: ", name);
   run.tell(what + "net advance a cycle, least", 1000.0 * spread.advance_m.min, "mm");
   run.tell(what + "net advance a cycle, greatest", 1000.0 * spread.advance_m.max, "mm");
   run.tell(what + "turn a cycle, most", spread.most_turn_rad / kDegree, "deg");
 }
 
 void tellCurve(const PhysicsRun& run) {
-  gait::CrawlGait gait = gait::steadyGait();
+  gait::CrawlGait gait = gait::cruiseGait();
   gait.turn_rad = 6.0 * kDegree;
   double least = 1e9;
   double radius_m = 0.0;
@@ -83,14 +83,14 @@ void tellCurve(const PhysicsRun& run) {
     least = std::min(least, figures.turn_rad);
     radius_m = std::max(radius_m, figures.advance_m / figures.turn_rad);
   }
-  run.tell("steady, turning 6 deg a push: the heading turns a cycle, least", least / kDegree, "deg");
-  run.tell("steady, turning 6 deg a push: radius of the curve, greatest", radius_m, "m");
+  run.tell("cruise, turning 6 deg a push: the heading turns a cycle, least", least / kDegree, "deg");
+  run.tell("cruise, turning 6 deg a push: radius of the curve, greatest", radius_m, "m");
 }
 
 }  // namespace
 
 void measureGaits(const PhysicsRun& run) {
-  const std::array gaits{gait::nominalGait(), gait::steadyGait()};
+  const std::array gaits{gait::nominalGait(), gait::cruiseGait()};
   double done = 0.0;
   for (const gait::CrawlGait& gait : gaits) {
     Spread spread;

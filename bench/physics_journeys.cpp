@@ -61,7 +61,7 @@ void measureJourneys(const PhysicsRun& run) {
   double clean = 0.0;
   double done = 0.0;
   for (const std::uint64_t seed : run.seeds) {
-    const Journey journey = crawlUnder(run.robot, {}, gait::steadyGait(), conditionsOf(seed)).value();
+    const Journey journey = crawlUnder(run.robot, {}, gait::cruiseGait(), conditionsOf(seed)).value();
     clean += journey.stands && journey.touches.empty() ? 1.0 : 0.0;
     down.add(journey.down, journey.lying_after_down);
     up.add(journey.up, journey.standing_after_up);

@@ -17,7 +17,7 @@ constexpr double kMostHeading_rad = 3.0 * std::numbers::pi / 180.0;
 
 CrawledLine crawl(const PhysicsRun& run, std::uint64_t seed, Heading heading) {
   Simulation simulation = Simulation::make(run.robot, {}, conditionsOf(seed)).value();
-  const gait::CrawlGait gait = gait::steadyGait();
+  const gait::CrawlGait gait = gait::cruiseGait();
   simulation.start(gait::crawlMotion(gait::naoCrawler(), gait).value(), Posture::kLying, {});
   return crawlLine(simulation, gait, kLine_m, heading);
 }

@@ -28,10 +28,10 @@ void measureTorques(const PhysicsRun& run) {
   constexpr int kDurations = 10;
   for (int push_s = 1; push_s <= kDurations; ++push_s) {
     const CrawlFigures nominal = figuresOf(run, gait::nominalGait(), push_s);
-    const CrawlFigures steady = figuresOf(run, gait::steadyGait(), push_s);
-    compare(run, fmt::format("steady, push of {} s: torque, weights 1 1 1 5", push_s), steady.torque_cost,
+    const CrawlFigures steady = figuresOf(run, gait::cruiseGait(), push_s);
+    compare(run, fmt::format("cruise, push of {} s: torque, weights 1 1 1 5", push_s), steady.torque_cost,
             nominal.torque_cost);
-    compare(run, fmt::format("steady, push of {} s: torque, weights 1 1 1 1", push_s), steady.even_cost,
+    compare(run, fmt::format("cruise, push of {} s: torque, weights 1 1 1 1", push_s), steady.even_cost,
             nominal.even_cost);
     run.progress(static_cast<double>(push_s) / kDurations);
   }

@@ -8,6 +8,7 @@ namespace underway::gait {
 namespace {
 
 constexpr int kSteps = 40;
+constexpr double kMargin_rad = 0.003;  ///< kept from joints' limits
 constexpr double kAngleUnit_rad = 0.1;
 constexpr double kLengthUnit_m = 0.01;
 constexpr double kHeadAhead_m = 0.12;  ///< from the shoulder, along the back, on NAO
@@ -89,7 +90,8 @@ class Evaluation {
                                          {kKnee, angles.knee()},
                                          {kHip, angles.hip()},
                                          {kShoulderPitch, shoulder}})
-        violation += excess(angle, side[joint].lower(), side[joint].upper(), kAngleUnit_rad);
+        violation += excess(angle, side[joint].lower() + kMargin_rad, side[joint].upper() - kMargin_rad,
+                            kAngleUnit_rad);
     for (std::size_t j = 1; j <= 4; ++j)
       violation += excess(points[j].z, 0.0, setting_.limits.height_most_m, kLengthUnit_m);
     return violation + excess(points[3].z, setting_.limits.hip_height_least_m, 1.0, kLengthUnit_m);
@@ -154,9 +156,9 @@ double costOf(const PushFigures& figures, Aim aim) {
     case Aim::kSpeed:
       return figures.shortest_s + kLittle * torque;
     case Aim::kLevelBack:
-      return figures.back_rad2 + kLittle * torque;
+      return figures.back_rad2 + 10.0 * kLittle * torque;
     case Aim::kSteadyHead:
-      return 1e6 * figures.head_m2 + kLittle * torque;
+      return 1e4 * figures.head_m2 + kLittle * torque;
   }
   return torque;
 }

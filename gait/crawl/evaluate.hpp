@@ -64,7 +64,7 @@ enum class Aim {
 inline constexpr std::array<double, 4> kPaperWeights{1.0, 1.0, 1.0, 5.0};
 inline constexpr std::array<double, 4> kEvenWeights{1.0, 1.0, 1.0, 1.0};
 
-/// The aim's own cost: [N^2 m^2], [s], [rad^2] or [mm^2]. The last three also count torque a little, so that
+/// The aim's own cost: [N^2 m^2], [s], [rad^2] or [cm^2]. The last three also count torque a little, so that
 /// a gait that is level is not wasteful.
 [[nodiscard]] double costOf(const PushFigures& figures, Aim aim);
 

@@ -111,9 +111,9 @@ CrawlGait nominalGait() {
   return gait;
 }
 
-CrawlGait steadyGait() {
+CrawlGait cruiseGait() {
   CrawlGait gait = nominalGait();
-  gait.name = "steady";
+  gait.name = "cruise";
   gait.push.hip = line(radians(20.0), radians(20.0));
   return gait;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <string>
-#include <tl/expected.hpp>
 
 #include "gait/crawl/crawler.hpp"
 #include "gait/crawl/push.hpp"
+#include "gait/error.hpp"
 #include "gait/joint_table.hpp"
 
 namespace underway::gait {
@@ -31,11 +31,12 @@ enum class Lowering {
 /// The robot lying, and its way there.
 struct LyingShape {
   Lowering lowering = Lowering::kSpread;
-  double shoulder_height_m = 0.05;  ///< spread: over the elbows, when the chest should lie
-  double knee_rad = radians(35.0);  ///< bent, so that the feet are up
-  double hip_rad = radians(10.0);
+  double shoulder_height_m = 0.03;  ///< spread: over the elbows, when the chest should lie
+  double knee_rad = radians(22.0);  ///< bent, so that the feet are up
+  double hip_rad = radians(20.0);
   double back_rad = radians(3.0);  ///< the chest's own slope on the floor
   double arm_rise_rad = 0.0;       ///< spread: alpha of the raised arms
+  double head_rad = 0.0;           ///< the head's pitch, towards the chest; it keeps its slope in the push
 };
 
 /// How long each part takes [s].
@@ -58,19 +59,12 @@ struct CrawlGait {
   LyingShape lying;
 };
 
-/// Why a robot cannot go a gait: one sentence (what, where, what to do).
-struct GaitError {
-  std::string message;
-};
-template <class T>
-using GaitExpected = tl::expected<T, GaitError>;
-
 /// The author's own for NAO: Table 8, d_e 430 mm, l5 89.75 mm. The hips drag in the first half of the push.
 [[nodiscard]] CrawlGait nominalGait();
 
 /// For going far: the hip at 20 degrees keeps the hips off the floor, so that the body does not drag. In
 /// physics it advances 80 to 83 mm a cycle, keeps its heading better, and its joints leave room to steer.
-[[nodiscard]] CrawlGait steadyGait();
+[[nodiscard]] CrawlGait cruiseGait();
 
 /// The joint angles of some cycles, from lying to lying, in rows at most 25 ms apart; as a motion it may
 /// follow itself. Errors: a pose that the robot's lengths do not reach, a joint beyond its limits or faster

@@ -9,7 +9,9 @@ namespace {
 constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
 
 /// The head keeps the slope it has when the robot lies.
-double headOver(const CrawlGait& gait, double back_rad) { return back_rad - gait.lying.back_rad; }
+double headOver(const CrawlGait& gait, double back_rad) {
+  return gait.lying.head_rad + back_rad - gait.lying.back_rad;
+}
 
 /// A side whose hip and shoulder are that far ahead of the chain's, toe and elbow where they were.
 Feasible<SideShape> shifted(const Crawler& crawler, const ChainAngles& chain, const LinkLengths& lengths,
@@ -80,7 +82,8 @@ Feasible<Posture> spreadPosture(const Crawler& crawler, const CrawlGait& gait, d
   const PlanePoint elbow{gait.toe_to_elbow_m, 0.0};
   // The shoulder straight down: the chain of a vertical arm that gets shorter.
   lengths[4] = mix(-arm.z, gait.lying.shoulder_height_m, share);
-  const auto chain = pushPose(lengths, {end.knee, end.hip, -kQuarter_rad}, {elbow.x - arm.x, 0.0});
+  const auto chain = pushPose(lengths, {end.knee, mix(end.hip, gait.lying.hip_rad, share), -kQuarter_rad},
+                              {elbow.x - arm.x, 0.0});
   if (!chain) return tl::unexpected(chain.error());
   return turned(crawler, gait, *chain, lengths, elbow, 0.5 * gait.turn_rad);
 }
@@ -94,7 +97,7 @@ Feasible<Posture> lyingPosture(const Crawler& crawler, const CrawlGait& gait) {
     side.back = gait.lying.back_rad;
     if (gait.lying.lowering == Lowering::kSpread) side.alpha = gait.lying.arm_rise_rad;
   }
-  posture->head_rad = 0.0;
+  posture->head_rad = gait.lying.head_rad;
   return posture;
 }
 

@@ -21,7 +21,7 @@ struct Posture {
 [[nodiscard]] Feasible<Posture> pushPosture(const Crawler& crawler, const CrawlGait& gait, double phase);
 
 /// Toes and elbows where the push left them, the shoulders lower: 0 as high as the push ended, 1 at
-/// LyingShape::shoulder_height_m. The elbows make way to the sides.
+/// LyingShape::shoulder_height_m, the hips as they lie. The elbows make way to the sides.
 [[nodiscard]] Feasible<Posture> spreadPosture(const Crawler& crawler, const CrawlGait& gait, double share);
 
 /// Lying before the push, arms and feet off the floor.

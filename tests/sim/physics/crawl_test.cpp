@@ -56,7 +56,7 @@ TEST(CrawlInPhysics, StopsWhereItIsPaused) {
 }
 
 TEST(CrawlInPhysics, ATurnInThePushTurnsTheRobot) {
-  gait::CrawlGait left = gait::steadyGait();
+  gait::CrawlGait left = gait::cruiseGait();
   left.turn_rad = 0.08;
   gait::CrawlGait right = left;
   right.turn_rad = -0.08;
@@ -67,12 +67,12 @@ TEST(CrawlInPhysics, ATurnInThePushTurnsTheRobot) {
 
 TEST(CrawlInPhysics, ClimbsFiveDegrees) {
   Simulation dut = nao(conditionsOf(0), {.ground = {.uphill_rad = 0.0873}, .obstacles = {}});
-  EXPECT_GT(measureCrawl(dut, gait::steadyGait(), 2).advance_m, 0.06);
+  EXPECT_GT(measureCrawl(dut, gait::cruiseGait(), 2).advance_m, 0.06);
 }
 
 TEST(CrawlInPhysics, GoesDownCrawlsUnderATableAndStandsUpBehindIt) {
   const Table table{.depth_m = 0.2};  // short, to be quick
-  const auto journey = crawlUnder(kRobot, table, gait::steadyGait(), conditionsOf(19));
+  const auto journey = crawlUnder(kRobot, table, gait::cruiseGait(), conditionsOf(19));
   ASSERT_TRUE(journey) << journey.error().message;
   EXPECT_TRUE(journey->stands);
   EXPECT_TRUE(journey->touches.empty()) << *journey->touches.begin();
