@@ -114,7 +114,7 @@ CrawlGait nominalGait() {
 CrawlGait cruiseGait() {
   CrawlGait gait = nominalGait();
   gait.name = "cruise";
-  gait.push.hip = line(radians(20.0), radians(20.0));
+  gait.push.hip = cubicThrough(radians(20.0), radians(26.0), 0.0, radians(20.0));
   return gait;
 }
 

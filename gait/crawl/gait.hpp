@@ -62,8 +62,9 @@ struct CrawlGait {
 /// The author's own for NAO: Table 8, d_e 430 mm, l5 89.75 mm. The hips drag in the first half of the push.
 [[nodiscard]] CrawlGait nominalGait();
 
-/// For going far: the hip at 20 degrees keeps the hips off the floor, so that the body does not drag. In
-/// physics it advances 80 to 83 mm a cycle, keeps its heading better, and its joints leave room to steer.
+/// For going far: hips at 20 degrees do not drag on the floor, and come down to it at the end of the push, so
+/// that the body lies firmly while the elbows slide outwards. In physics it advances 88 to 92 mm a cycle,
+/// keeps its heading better than the nominal one, and its joints leave room to steer.
 [[nodiscard]] CrawlGait cruiseGait();
 
 /// The joint angles of some cycles, from lying to lying, in rows at most 25 ms apart; as a motion it may

@@ -9,15 +9,15 @@ struct OffLine {
 };
 
 /// How a crawl is steered: the body turns a little over its planted toes and elbows in each push
-/// (CrawlGait::turn_rad), by different trajectories left and right. Figures: measured in MuJoCo, see
-/// `underway bench physics`.
+/// (CrawlGait::turn_rad), by different trajectories left and right. The figures are those of
+/// cruiseGait() in MuJoCo (`underway bench physics`).
 struct Steering {
-  double gain = 2.0;               ///< turn asked for, by error of heading; a third of it comes about
+  double gain = 1.5;               ///< turn asked for, by error of heading; half of it comes about
   double return_m = 0.5;           ///< the line is aimed at this far ahead [m]
   double aim_rad = 0.035;          ///< but never more than this across it [rad]
-  double most_turn_rad = 0.105;    ///< what the joints leave room for, to either side [rad]
-  double advance_m = 0.082;        ///< of a cycle [m]
-  double aside_m_per_rad = 0.034;  ///< a turn's push also goes aside by this [m/rad]
+  double most_turn_rad = 0.087;    ///< what the joints leave room for, to either side [rad]
+  double advance_m = 0.090;        ///< of a cycle [m]
+  double aside_m_per_rad = 0.041;  ///< a turn's push also goes aside by this [m/rad]
 };
 
 /// The turn of the next push that leads back to the line [rad].
