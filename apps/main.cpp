@@ -26,7 +26,8 @@ ExitCode runCommandLine(int argc, char** argv) {
   program.footer(kExamples);
   const std::vector<Command> commands{underway::addPlanCommand(program),  underway::addAskCommand(program),
                                       underway::addServeCommand(program), underway::addQueryCommand(program),
-                                      underway::addCheckCommand(program), underway::addBenchCommand(program)};
+                                      underway::addCheckCommand(program), underway::addGaitCommand(program),
+                                      underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -36,7 +37,7 @@ ExitCode runCommandLine(int argc, char** argv) {
   }
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();
-  underway::complain("a command is missing; give plan, ask, serve, query or check, or --help");
+  underway::complain("a command is missing; give plan, ask, serve, query, check or gait, or --help");
   return ExitCode::kInvalidInput;
 }
 

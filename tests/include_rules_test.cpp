@@ -24,12 +24,13 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
     {"bench", {"geometry", "planner", "gait", "sim"}},
-    {"apps", {"geometry", "planner", "server", "bench"}},
+    {"apps", {"geometry", "planner", "gait", "server", "bench"}},
 };
 
 /// The only folder whose sources and headers may include a third party's headers.
-const std::map<std::string, std::string> kOwner{
-    {"fcl", "geometry"}, {"hwy", "geometry"}, {"ompl", "planner"}, {"dds", "server"}, {"mujoco", "sim"}};
+const std::map<std::string, std::string> kOwner{{"fcl", "geometry"},   {"hwy", "geometry"},
+                                                {"nlopt.hpp", "gait"}, {"ompl", "planner"},
+                                                {"dds", "server"},     {"mujoco", "sim"}};
 
 /// And the only place besides: it puts OMPL's planners together with FCL, to race them against ours.
 const std::string kPeers = "bench/peers/";
