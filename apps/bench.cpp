@@ -11,6 +11,7 @@
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
 #include "bench/peer_queries.hpp"
+#include "bench/physics.hpp"
 #include "bench/planner.hpp"
 #include "bench/planners.hpp"
 #include "bench/refusals.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kExamples =
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
+    "  physics     the crawl on a NAO in MuJoCo: advance, height, torques, going down and up, under a table\n"
     "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
@@ -34,6 +36,7 @@ constexpr const char* kExamples =
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
+    "  underway bench physics --plots out/bench/physics\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
@@ -63,12 +66,12 @@ struct Belongs {
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
-      {"--quick", arguments.quick, {"geometry", "peers", "planner", "planners"}},
+      {"--quick", arguments.quick, {"geometry", "peers", "physics", "planner", "planners"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
       {"--map", !arguments.map.file.empty(), {"planners"}},
       {"--queries", !arguments.queries.empty(), {"planners"}},
-      {"--plots", !arguments.plots.empty(), {"planners"}},
+      {"--plots", !arguments.plots.empty(), {"physics", "planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
       {"--only", !arguments.only.empty(), {"planner"}},
@@ -154,6 +157,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   }
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "physics") return bench::physics({*data, arguments.quick, arguments.plots}, progress);
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -180,7 +184,8 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "planner", "planners"}));
+      ->check(
+          CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "physics", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
@@ -194,7 +199,9 @@ Command addBenchCommand(CLI::App& program) {
       ->check(CLI::Range(1, 100'000));
   command.add_option("--limit-s", arguments->limit_s, "planners: of each run")
       ->check(CLI::Range(0.001, 3600.0));
-  command.add_option("--plots", arguments->plots, "planners: write OMPL's log, a table and pictures here")
+  command
+      .add_option("--plots", arguments->plots,
+                  "planners: write OMPL's log, a table and pictures here; physics: pictures")
       ->type_name("DIR");
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")

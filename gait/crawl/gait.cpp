@@ -111,6 +111,13 @@ CrawlGait nominalGait() {
   return gait;
 }
 
+CrawlGait cruiseGait() {
+  CrawlGait gait = nominalGait();
+  gait.name = "cruise";
+  gait.push.hip = cubicThrough(radians(20.0), radians(26.0), 0.0, radians(20.0));
+  return gait;
+}
+
 GaitExpected<JointTable> crawlMotion(const Crawler& crawler, const CrawlGait& gait, int cycles) {
   if (cycles < 1) throw std::invalid_argument("a crawl has at least one cycle");
   auto cycle = Cycle(crawler, gait).motion();

@@ -11,6 +11,7 @@ Conditions conditionsOf(std::uint64_t seed) {
           .servo_error_rad = 0.005,
           .start_error_m = 0.002,
           .start_error_rad = 0.005,
+          .imu_drift_radps = 0.00015,
           .seed = seed};
 }
 

@@ -78,6 +78,8 @@ Simulation::Simulation(Model model, Data data, const Conditions& conditions)
   std::mt19937_64 random(conditions.seed);
   std::uniform_real_distribution<double> off(-conditions.servo_error_rad, conditions.servo_error_rad);
   for (int servo = 0; servo < model_->nu; ++servo) servo_errors_rad_.push_back(off(random));
+  imu_drift_radps_ =
+      std::uniform_real_distribution<double>(-conditions.imu_drift_radps, conditions.imu_drift_radps)(random);
 }
 
 std::vector<int> Simulation::servosOf(const gait::JointTable& table) const {
@@ -123,13 +125,19 @@ void Simulation::start(const gait::JointTable& table, Posture posture, const Pos
   data_->qpos[0] += pose.x + off(conditions_.start_error_m) - at.x;
   data_->qpos[1] += pose.y + off(conditions_.start_error_m) - at.y;
   data_->qpos[2] -= enclose(*model_, *data_, {}).z.min;
-  (void)hold(kRest_s, posture);
+  hold(kRest_s, posture);
+  imu_zero_rad_ += imuHeading();
 }
 
 Recording Simulation::play(const gait::JointTable& table, Posture frame_of) {
   mj_forward(model_.get(), data_.get());
+  return play(table, frame(frame_of));
+}
+
+Recording Simulation::play(const gait::JointTable& table, const Pose& frame) {
+  mj_forward(model_.get(), data_.get());
   Recording recording;
-  recording.frame = frame(frame_of);
+  recording.frame = frame;
   const auto servos = servosOf(table);
   const auto steps = std::lround(table.duration() / model_->opt.timestep);
   recording.samples.push_back(sample(recording.frame));
@@ -199,6 +207,17 @@ Sample Simulation::sample(const Pose& frame_of_boxes) const {
           .box = enclose(*model_, *data_, frame_of_boxes),
           .positions = {data_->qpos, data_->qpos + model_->nq},
           .torques_nm = {data_->actuator_force, data_->actuator_force + model_->nu}};
+}
+
+double Simulation::angle(const std::string& joint) const {
+  const int id = mj_name2id(model_.get(), mjOBJ_JOINT, joint.c_str());
+  if (id < 0) throw std::invalid_argument("the robot has no joint " + joint);
+  return data_->qpos[model_->jnt_qposadr[id]];
+}
+
+double Simulation::imuHeading() const {
+  const double true_rad = heading(torsoAxes(*model_, *data_));
+  return normalizedAngle(true_rad + imu_drift_radps_ * data_->time - imu_zero_rad_);
 }
 
 Sample Simulation::now() const { return sample({}); }

@@ -28,14 +28,20 @@ class Simulation {
   void start(const gait::JointTable& table, Posture posture, const Pose& pose);
 
   /// Plays a table from its first row to its last. Joints that it does not name keep their targets. Targets
-  /// move no faster than the servos can. The recording's frame is the body frame now. Throws
-  /// std::invalid_argument when the robot has no such joint.
-  [[nodiscard]] Recording play(const gait::JointTable& table, Posture frame_of);
+  /// move no faster than the servos can. Boxes are told in `frame`. Throws std::invalid_argument when the
+  /// robot has no such joint.
+  Recording play(const gait::JointTable& table, const Pose& frame);
+  /// The same, in the body frame now.
+  Recording play(const gait::JointTable& table, Posture frame_of);
   /// Keeps the targets for a while.
-  [[nodiscard]] Recording hold(double seconds, Posture frame_of);
+  Recording hold(double seconds, Posture frame_of);
 
   /// The robot now; its box in the frame of the ground.
   [[nodiscard]] Sample now() const;
+  /// Of one of the robot's joints [rad]. Throws std::invalid_argument when there is none of that name.
+  [[nodiscard]] double angle(const std::string& joint) const;
+  /// The heading as the torso's IMU tells it: 0 when the robot was put down, running off slowly [rad].
+  [[nodiscard]] double imuHeading() const;
   [[nodiscard]] const mjModel_& model() const { return *model_; }
 
  private:
@@ -52,6 +58,8 @@ class Simulation {
   Conditions conditions_;
   std::vector<double> targets_rad_;       ///< by servo, as commanded
   std::vector<double> servo_errors_rad_;  ///< by servo
+  double imu_drift_radps_ = 0.0;
+  double imu_zero_rad_ = 0.0;
 };
 
 }  // namespace underway::physics
