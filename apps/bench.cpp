@@ -9,6 +9,7 @@
 #include "apps/inputs.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
+#include "bench/gait.hpp"
 #include "bench/geometry.hpp"
 #include "bench/peer_queries.hpp"
 #include "bench/physics.hpp"
@@ -28,6 +29,7 @@ constexpr const char* kExamples =
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
+    "  gait        the crawl in its model: nominal and optimised, the library, how fast it is computed\n"
     "  physics     the crawl on a NAO in MuJoCo: advance, height, torques, going down and up, under a table\n"
     "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
@@ -168,6 +170,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   }
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "gait") return bench::gait(*data, progress);
   if (arguments.name == "physics")
     return bench::physics({*data, arguments.quick, arguments.plots, arguments.only}, progress);
   if (arguments.name == "planner")
@@ -196,8 +199,8 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(
-          CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "physics", "planner", "planners"}));
+      ->check(CLI::IsMember(
+          {"scenarios", "refusals", "gait", "geometry", "peers", "physics", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");

@@ -16,6 +16,26 @@ PlanePoint ankleToShoulder(const LinkLengths& l, const Triplet& t) {
 
 double angleOf(PlanePoint v) { return std::atan2(v.z, v.x); }
 
+/// Toe, ankle and shoulder, the leg as one link: what is left to solve.
+struct Triangle {
+  PlanePoint shoulder;
+  double base = 0.0;  ///< theta2 of a foot that points at the shoulder
+  double half = 0.0;  ///< what theta2 is off it, to either side
+};
+
+Feasible<Triangle> triangleOf(const LinkLengths& l, const Triplet& triplet, PlanePoint elbow) {
+  const PlanePoint shoulder = elbow - along(l[4], triplet.alpha);
+  const PlanePoint link = ankleToShoulder(l, triplet);
+  const double foot_m = l[0];
+  const double leg_m = length(link);
+  const double span_m = length(shoulder);
+  if (span_m > foot_m + leg_m || span_m < std::abs(foot_m - leg_m) || leg_m == 0.0)
+    return tl::unexpected(Infeasible{span_m, std::abs(foot_m - leg_m), foot_m + leg_m});
+  // (4.13): cos(theta2 - base), with base = atan2(K2, K1).
+  const double cosine = (span_m * span_m - foot_m * foot_m - leg_m * leg_m) / (2.0 * foot_m * leg_m);
+  return Triangle{shoulder, -angleOf(link), std::acos(std::clamp(cosine, -1.0, 1.0))};
+}
+
 /// theta1 and theta5 for a theta2: the rigid rest is turned until its shoulder lies where the arm needs it.
 ChainAngles complete(const LinkLengths& l, const Triplet& t, PlanePoint shoulder, double ankle) {
   const PlanePoint link = ankleToShoulder(l, t);
@@ -52,19 +72,11 @@ double closureError(const LinkLengths& lengths, const ChainAngles& angles, Plane
   return length(pointsOf(lengths, angles)[5] - elbow);
 }
 
-Feasible<ChainRoots> closeChain(const LinkLengths& l, const Triplet& triplet, PlanePoint elbow) {
-  const PlanePoint shoulder = elbow - along(l[4], triplet.alpha);
-  const PlanePoint link = ankleToShoulder(l, triplet);
-  const double foot_m = l[0];
-  const double leg_m = length(link);
-  const double span_m = length(shoulder);
-  if (span_m > foot_m + leg_m || span_m < std::abs(foot_m - leg_m) || leg_m == 0.0)
-    return tl::unexpected(Infeasible{span_m, std::abs(foot_m - leg_m), foot_m + leg_m});
-  // (4.13): cos(theta2 - base), with base = atan2(K2, K1).
-  const double cosine = (span_m * span_m - foot_m * foot_m - leg_m * leg_m) / (2.0 * foot_m * leg_m);
-  const double half = std::acos(std::clamp(cosine, -1.0, 1.0));
-  const double base = -angleOf(link);
-  return ChainRoots{complete(l, triplet, shoulder, base - half), complete(l, triplet, shoulder, base + half)};
+Feasible<ChainRoots> closeChain(const LinkLengths& lengths, const Triplet& triplet, PlanePoint elbow) {
+  return triangleOf(lengths, triplet, elbow).map([&](const Triangle& triangle) {
+    return ChainRoots{complete(lengths, triplet, triangle.shoulder, triangle.base - triangle.half),
+                      complete(lengths, triplet, triangle.shoulder, triangle.base + triangle.half)};
+  });
 }
 
 const ChainAngles& choose(const LinkLengths& lengths, const ChainRoots& roots) {
@@ -73,9 +85,12 @@ const ChainAngles& choose(const LinkLengths& lengths, const ChainRoots& roots) {
 }
 
 Feasible<ChainAngles> pushPose(const LinkLengths& lengths, const Triplet& triplet, PlanePoint elbow) {
-  return closeChain(lengths, triplet, elbow).map([&](const ChainRoots& roots) {
-    return choose(lengths, roots);
-  });
+  const auto triangle = triangleOf(lengths, triplet, elbow);
+  if (!triangle) return tl::unexpected(triangle.error());
+  const ChainAngles up = complete(lengths, triplet, triangle->shoulder, triangle->base - triangle->half);
+  if (lowest(lengths, up) >= 0.0) return up;
+  return choose(lengths,
+                {up, complete(lengths, triplet, triangle->shoulder, triangle->base + triangle->half)});
 }
 
 Feasible<Reach> reachOf(const LinkLengths& l, const Triplet& triplet) {

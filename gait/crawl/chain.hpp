@@ -61,7 +61,7 @@ struct ChainRoots {
 /// ankle below the floor.
 [[nodiscard]] const ChainAngles& choose(const LinkLengths& lengths, const ChainRoots& roots);
 
-/// Both of the above.
+/// Both of the above: the first root if it keeps all joints off the floor, else the one that `choose` takes.
 [[nodiscard]] Feasible<ChainAngles> pushPose(const LinkLengths& lengths, const Triplet& triplet,
                                              PlanePoint elbow);
 

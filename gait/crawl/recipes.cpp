@@ -18,6 +18,13 @@ Recipe own(const char* name, const PushShape& push, const char* about) {
   return recipe;
 }
 
+/// Not from a search, but tried in physics.
+Recipe cruise() {
+  Recipe recipe = own("cruise", nominalPush(), "For going far and for steering: the hips do not drag.");
+  recipe.from = cruiseGait();
+  return recipe;
+}
+
 Recipe optimum(const char* name, Aim aim, SearchSpace::Ends ends, const char* about) {
   Recipe recipe = own(name, nominalPush(), about);
   recipe.is_optimised = true;
@@ -70,6 +77,7 @@ std::vector<Recipe> naoRecipes() {
   using Ends = SearchSpace::Ends;
   return {own("nominal", nominalPush(), "The author's own: Brooks 2017, Table 8."),
           own("thesis", thesisOptimum(), "The author's optimum: Brooks 2017, Table 9."),
+          cruise(),
           optimum("efficient", Aim::kTorque, Ends::kFixed,
                   "Least torque with the paper's weights, from and to the nominal poses."),
           optimum("even", Aim::kEvenTorque, Ends::kFixed,
