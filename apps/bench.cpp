@@ -39,6 +39,7 @@ constexpr const char* kExamples =
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
     "  underway bench physics --plots out/bench/physics\n"
+    "  underway bench physics --only lines --quick\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
@@ -65,6 +66,12 @@ struct Belongs {
   std::vector<std::string_view> benchmarks;
 };
 
+/// What a benchmark can measure alone.
+std::vector<std::string> partsOf(std::string_view benchmark) {
+  if (benchmark == "planner") return bench::plannerParts();
+  return benchmark == "physics" ? bench::physicsParts() : std::vector<std::string>{};
+}
+
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
@@ -83,6 +90,10 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
     if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
                                option.benchmarks.end())
       return fmt::format("{} is not for `underway bench {}`; leave it out", option.option, arguments.name);
+  const std::vector<std::string> parts = partsOf(arguments.name);
+  if (!arguments.only.empty() && std::ranges::find(parts, arguments.only) == parts.end())
+    return fmt::format("`underway bench {}` has no part {}; name one of {}", arguments.name, arguments.only,
+                       fmt::join(parts, ", "));
   if (arguments.name == "peers" && arguments.peers.empty())
     return "`underway bench peers` needs --peers, the folder of their queries";
   if (arguments.name == "planners" && arguments.map.file.empty())
@@ -160,7 +171,8 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
   if (arguments.name == "gait") return bench::gait(*data, progress);
-  if (arguments.name == "physics") return bench::physics({*data, arguments.quick, arguments.plots}, progress);
+  if (arguments.name == "physics")
+    return bench::physics({*data, arguments.quick, arguments.plots, arguments.only}, progress);
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -209,8 +221,8 @@ Command addBenchCommand(CLI::App& program) {
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
       ->type_name("DIR");
-  command.add_option("--only", arguments->only, "planner: one part of it")
-      ->check(CLI::IsMember(bench::plannerParts()));
+  command.add_option("--only", arguments->only, "planner, physics: one part of it")
+      ->check(CLI::IsMember(partsOf("planner")) | CLI::IsMember(partsOf("physics")));
   command
       .add_option("--own-s", arguments->own_s,
                   "planner: help the oracle with the planner's own best after S seconds")

@@ -4,9 +4,43 @@
 #include <system_error>
 
 #include "bench/physics_parts.hpp"
+#include "gait/crawl/library.hpp"
 #include "sim/physics/scene.hpp"
 
 namespace underway::bench {
+
+namespace {
+
+struct Part {
+  const char* name;
+  void (*measure)(const PhysicsRun&);
+  double share;  ///< of the time all parts take, about
+};
+
+constexpr std::array kParts{Part{"gaits", measureGaits, 0.10}, Part{"lines", measureLines, 0.40},
+                            Part{"journeys", measureJourneys, 0.25}, Part{"torques", measureTorques, 0.25}};
+
+bool isAsked(const Part& part, const PhysicsOptions& options) {
+  return options.only.empty() || options.only == part.name;
+}
+
+Expected<std::vector<gait::GaitFile>> readLibrary(const std::filesystem::path& folder) {
+  std::vector<gait::GaitFile> library;
+  for (const std::string& name : gait::gaitNames(folder)) {
+    auto file = gait::readGait(folder, name);
+    if (!file) return fail(ErrorCode::kInvalidRobot, file.error().message);
+    library.push_back(std::move(*file));
+  }
+  return library;
+}
+
+}  // namespace
+
+std::vector<std::string> physicsParts() {
+  std::vector<std::string> names;
+  for (const Part& part : kParts) names.emplace_back(part.name);
+  return names;
+}
 
 void PhysicsRun::tell(const std::string& what, double value, const std::string& unit) const {
   report.rows.push_back({what, value, unit, "", std::nullopt, seeds.front(), seeds.size(), {}, {}});
@@ -29,17 +63,19 @@ Expected<Report> physics(const PhysicsOptions& options, const std::function<void
       return fail(ErrorCode::kInvalidRequest,
                   options.pictures + ": cannot be made a folder for pictures (" + failed.message() + ")");
   }
+  auto library = readLibrary(options.data / "gaits");
+  if (!library) return tl::unexpected(library.error());
   Report report{"physics", {}};
-  PhysicsRun run{robot, {}, options.pictures, {}, report};
+  PhysicsRun run{robot, std::move(*library), {}, options.pictures, {}, report};
   for (std::uint64_t seed = 0; seed < kSeeds; seed += options.quick ? 6 : 1) run.seeds.push_back(seed);
-  // How long each part takes, about, of the whole.
-  const std::array<std::pair<void (*)(const PhysicsRun&), double>, 4> parts{
-      {{measureGaits, 0.15}, {measureLines, 0.40}, {measureJourneys, 0.35}, {measureTorques, 0.10}}};
+  double whole = 0.0;
+  for (const Part& part : kParts) whole += isAsked(part, options) ? part.share : 0.0;
   double done = 0.0;
-  for (const auto& [measure, share] : parts) {
-    run.progress = [&, share = share](double of_part) { progress(done + share * of_part); };
-    measure(run);
-    done += share;
+  for (const Part& part : kParts) {
+    if (!isAsked(part, options)) continue;
+    run.progress = [&](double of_part) { progress((done + part.share * of_part) / whole); };
+    part.measure(run);
+    done += part.share;
   }
   return report;
 }

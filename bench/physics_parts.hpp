@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "bench/report.hpp"
+#include "gait/crawl/gait_file.hpp"
 
 namespace underway::bench {
 
 /// What the parts of the physics bench share.
 struct PhysicsRun {
   std::filesystem::path robot;
+  std::vector<gait::GaitFile> library;
   std::vector<std::uint64_t> seeds;
   std::string pictures;
   std::function<void(double)> progress;  ///< of the part, 0 to 1
@@ -31,7 +33,7 @@ void measureGaits(const PhysicsRun& run);
 void measureLines(const PhysicsRun& run);
 /// Down, under a table, up: what robots/nao.yaml holds, and whether anything was touched.
 void measureJourneys(const PhysicsRun& run);
-/// Torques in the push at ten durations.
+/// Torques in the push at ten durations, of all gaits of the library.
 void measureTorques(const PhysicsRun& run);
 
 }  // namespace underway::bench

@@ -1,9 +1,6 @@
 #include <spdlog/fmt/fmt.h>
 
-#include <stdexcept>
-
 #include "bench/physics_parts.hpp"
-#include "gait/crawl/recipes.hpp"
 #include "sim/physics/crawl_figures.hpp"
 
 namespace underway::bench {
@@ -46,14 +43,10 @@ void compareAt(const PhysicsRun& run, const gait::GaitFile& file, int push_s, co
 }  // namespace
 
 void measureTorques(const PhysicsRun& run) {
-  std::vector<gait::GaitFile> library;
-  for (const gait::Recipe& recipe : gait::naoRecipes())
-    if (recipe.from.name != "nominal") library.push_back(gait::make(recipe));
-  library.push_back({gait::cruiseGait(), "", 1.0, kDurations});
   for (int push_s = 1; push_s <= kDurations; ++push_s) {
     const CrawlFigures nominal = figuresOf(run, gait::nominalGait(), push_s);
-    for (const gait::GaitFile& file : library)
-      if (push_s >= file.for_push_s_least && push_s <= file.for_push_s_most)
+    for (const gait::GaitFile& file : run.library)
+      if (file.gait.name != "nominal" && push_s >= file.for_push_s_least && push_s <= file.for_push_s_most)
         compareAt(run, file, push_s, nominal);
     run.progress(static_cast<double>(push_s) / kDurations);
   }

@@ -33,5 +33,9 @@ struct PushShape {
 [[nodiscard]] PushShape nominalPush();
 /// Table 9, its alpha starting at -0.52360 where a sign is missing in print.
 [[nodiscard]] PushShape thesisOptimum();
+/// Found in physics itself: 500 pushes of 2 s in MuJoCo, of the paper's weights, on two floors (friction 0.49
+/// and 0.91), with the robot's advance, highest point, heading and saturation weighed in; searchDescent from
+/// the library's 'fast', ends free.
+[[nodiscard]] PushShape physicsOptimum();
 
 }  // namespace underway::gait

@@ -62,6 +62,15 @@ Recipe narrow() {
   return recipe;
 }
 
+/// Lies and lowers as what it was found from.
+Recipe physical() {
+  Recipe recipe = own("physical", physicsOptimum(), "Least torque in physics itself: Brooks 2017, 7.4.");
+  recipe.from.lying = fast().from.lying;
+  recipe.from.times = {0.5, 2.0, 1.2};
+  recipe.for_push_s_least = 2.0;
+  return recipe;
+}
+
 }  // namespace
 
 std::vector<Recipe> naoRecipes() {
@@ -76,7 +85,8 @@ std::vector<Recipe> naoRecipes() {
           level(),
           optimum("steady", Aim::kSteadyHead, Ends::kFree, "Moves the head straight and evenly."),
           fast(),
-          narrow()};
+          narrow(),
+          physical()};
 }
 
 GaitFile make(const Recipe& recipe, const SearchProgress& progress) {
