@@ -94,6 +94,7 @@ gait::JointTable withSwitches(const gait::JointTable& crawl) {
 
 Expected<void> writeMotion(const gait::JointTable& motion, const std::string& out) {
   if (out.empty()) return {};
+  if (out == "-") return writeOutput(gait::toCsv(motion));
   if (fs::path(out).extension() == ".csv") return writeText(out, gait::toCsv(motion));
   if (fs::path(out).extension() == ".json") return writeText(out, gait::toNaoqiJson(motion));
   return fail(ErrorCode::kInvalidRequest, "--out: \"" + out + "\" must end in .csv or .json");
@@ -121,6 +122,7 @@ ExitCode runCrawl(const CrawlArguments& arguments) {
   const gait::JointTable motion = arguments.is_from_standing ? withSwitches(*cycles) : *cycles;
   if (const auto written = writeAll(arguments, crawl, *cycles, motion); !written)
     return refuse(written.error().message, exitCodeOf(written.error().code));
+  if (arguments.out == "-") return ExitCode::kDone;
   const auto told = writeOutput(figuresOf(*file, *room, motion, arguments.cycles));
   return told ? ExitCode::kDone : refuse(told.error().message, ExitCode::kOther);
 }
@@ -183,17 +185,19 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
 
 Command addGaitCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("gait", "Make, choose and look at gaits");
-  command.require_subcommand(1);
+  command.require_subcommand(0, 1);  // none at all is told below, in our own words
   command.footer(kExamples);
   const auto arguments = std::make_shared<CrawlArguments>();
   const auto folder = std::make_shared<std::string>("gaits");
   CLI::App& crawl = addCrawl(command, *arguments);
   CLI::App& list = *command.add_subcommand("list", "The gaits that come along");
-  CLI::App& make = *command.add_subcommand("make", "Make the gaits that come along again, from fixed seeds");
-  make.add_option("--out", *folder, "Where to write them")->capture_default_str()->type_name("DIR");
-  return {&command, [arguments, folder, crawl = &crawl, list = &list] {
+  CLI::App& made = *command.add_subcommand("make", "Make the gaits that come along again, from fixed seeds");
+  made.add_option("--out", *folder, "Where to write them")->capture_default_str()->type_name("DIR");
+  return {&command, [arguments, folder, crawl = &crawl, list = &list, made = &made] {
             if (crawl->parsed()) return runCrawl(*arguments);
-            return list->parsed() ? runList() : runMake(*folder);
+            if (list->parsed()) return runList();
+            if (made->parsed()) return runMake(*folder);
+            return refuse("what to do with gaits is missing; give list, crawl or make, or --help");
           }};
 }
 
