@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -54,6 +55,13 @@ double slidingSpeed(const mjModel& model, const mjData& data, const mjContact& c
   mju_addTo3(turning, velocity + 3);
   const double normal = mju_dot3(turning, contact.frame);
   return std::sqrt(std::max(0.0, mju_dot3(turning, turning) - normal * normal));
+}
+
+/// MuJoCo starts anew, without a word, when numbers run away.
+bool hasDiverged(const mjData& data) {
+  return data.warning[mjWARN_BADQPOS].number + data.warning[mjWARN_BADQVEL].number +
+             data.warning[mjWARN_BADQACC].number >
+         0;
 }
 
 }  // namespace
@@ -110,6 +118,7 @@ void Simulation::start(const gait::JointTable& table, Posture posture, const Pos
   const double yaw = pose.yaw + off(conditions_.start_error_rad);
   const double pitch = posture == Posture::kLying ? 0.5 * std::numbers::pi : 0.0;
   mj_resetData(model_.get(), data_.get());
+  std::ranges::fill(targets_rad_, 0.0);
   const auto servos = servosOf(table);
   const auto angles = table.angles(0);
   for (std::size_t i = 0; i < servos.size(); ++i) {
@@ -148,6 +157,7 @@ Recording Simulation::play(const gait::JointTable& table, const Pose& frame) {
     recording.samples.push_back(sample(recording.frame));
     recording.samples.back().time_s = recording.duration_s;
   }
+  if (hasDiverged(*data_)) throw std::runtime_error("physics diverged: what MuJoCo computed is void");
   return recording;
 }
 
@@ -174,21 +184,24 @@ void Simulation::step(Recording& recording) {
 
 void Simulation::recordContacts(Recording& recording) const {
   constexpr double kBears_n = 1.0;
+  std::map<int, double> sliding_mps;  // by shape: a capsule may touch in two points, a box in four
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
     if (contact.exclude != 0 || contact.efc_address < 0) continue;
     const auto isWorlds = [&](int geom) { return model_->geom_bodyid[geom] == 0; };
     const int other = isWorlds(contact.geom1) ? contact.geom1 : contact.geom2;
     const int shape = isWorlds(contact.geom1) ? contact.geom2 : contact.geom1;
-    const std::string name = nameOf(*model_, mjOBJ_GEOM, shape);
     const std::string met = nameOf(*model_, mjOBJ_GEOM, other);
-    if (!isWorlds(other)) recording.self_touches.insert(name + " on " + met);
-    if (isWorlds(other) && met != "floor") recording.touches.insert(name + " on " + met);
+    const auto touch = [&] { return nameOf(*model_, mjOBJ_GEOM, shape) + " on " + met; };
+    if (!isWorlds(other)) recording.self_touches.insert(touch());
+    if (isWorlds(other) && met != "floor") recording.touches.insert(touch());
     double force[6];
     mj_contactForce(model_.get(), data_.get(), i, force);
     if (met == "floor" && force[0] > kBears_n)
-      recording.slips_m[name] += slidingSpeed(*model_, *data_, contact, shape) * model_->opt.timestep;
+      sliding_mps[shape] = std::max(sliding_mps[shape], slidingSpeed(*model_, *data_, contact, shape));
   }
+  for (const auto& [shape, speed] : sliding_mps)
+    recording.slips_m[nameOf(*model_, mjOBJ_GEOM, shape)] += speed * model_->opt.timestep;
 }
 
 Pose Simulation::frame(Posture posture) const {

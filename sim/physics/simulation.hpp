@@ -29,7 +29,7 @@ class Simulation {
 
   /// Plays a table from its first row to its last. Joints that it does not name keep their targets. Targets
   /// move no faster than the servos can. Boxes are told in `frame`. Throws std::invalid_argument when the
-  /// robot has no such joint.
+  /// robot has no such joint, std::runtime_error when physics diverged.
   Recording play(const gait::JointTable& table, const Pose& frame);
   /// The same, in the body frame now.
   Recording play(const gait::JointTable& table, Posture frame_of);
