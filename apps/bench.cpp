@@ -83,7 +83,7 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
       {"--plots", !arguments.plots.empty(), {"physics", "planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
-      {"--only", !arguments.only.empty(), {"planner"}},
+      {"--only", !arguments.only.empty(), {"physics", "planner"}},
       {"--own-s", arguments.own_s > 0.0, {"planner"}},
   };
   for (const Belongs& option : options)
