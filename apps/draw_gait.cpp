@@ -1,10 +1,12 @@
 #include "apps/draw_gait.hpp"
 
 #include <array>
+#include <numbers>
 
 #include "apps/chart.hpp"
 #include "gait/crawl/torque.hpp"
 #include "gait/nao.hpp"
+#include "gait/rest.hpp"
 
 namespace underway {
 namespace {
@@ -91,13 +93,33 @@ Chart torqueChart(const CrawlGait& gait) {
   return chart;
 }
 
+/// What a low table would see, and how far the centre of mass is inside the support, where gravity lays the
+/// robot.
+Chart heightChart(const JointTable& cycles) {
+  constexpr double kFaceDown_rad = 0.5 * std::numbers::pi;
+  Chart chart{"Over the floor (at rest)", "s", "mm", {}, false};
+  Series highest{"highest point", kColours[0], false, {}};
+  Series center{"centre of mass", kColours[1], false, {}};
+  Series margin{"stability margin", kColours[2], false, {}};
+  const std::vector<Rest> rests = settleAll(nao(), cycles, kFaceDown_rad);
+  for (std::size_t row = 0; row < rests.size(); ++row) {
+    const double time_s = cycles.time(row);
+    highest.points.push_back({time_s, 1e3 * rests[row].high.z()});
+    center.points.push_back({time_s, 1e3 * rests[row].mass_center.z()});
+    margin.points.push_back({time_s, 1e3 * rests[row].margin_m});
+  }
+  chart.series = {highest, center, margin};
+  return chart;
+}
+
 }  // namespace
 
 std::string drawGait(const CrawlGait& gait, const JointTable& motion) {
   return drawCharts(
       {tripletChart(gait), chainChart(gait),
        jointChart(motion, "Arms (right dashed)", {"ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll"}),
-       jointChart(motion, "Legs (right dashed)", {"HipPitch", "KneePitch", "AnklePitch"}), torqueChart(gait)},
+       jointChart(motion, "Legs (right dashed)", {"HipPitch", "KneePitch", "AnklePitch"}), torqueChart(gait),
+       heightChart(motion)},
       "Crawl \"" + gait.name + "\"");
 }
 

@@ -6,6 +6,7 @@
 #include "apps/commands.hpp"
 #include "apps/draw_gait.hpp"
 #include "apps/inputs.hpp"
+#include "apps/optimise.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "apps/text_file.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kExamples =
     "  underway gait crawl --gait efficient --cycles 5 --out crawl.csv\n"
     "  underway gait crawl --gait nominal --plot nominal.svg --html nominal.html\n"
     "  underway gait crawl --gait fast --cycles 10 --standing --out under_the_table.json\n"
+    "  underway gait optimise --aim torque --out mine.json\n"
     "  underway gait make --out gaits";
 
 constexpr const char* kCrawlExamples =
@@ -193,11 +195,14 @@ Command addGaitCommand(CLI::App& program) {
   CLI::App& list = *command.add_subcommand("list", "The gaits that come along");
   CLI::App& made = *command.add_subcommand("make", "Make the gaits that come along again, from fixed seeds");
   made.add_option("--out", *folder, "Where to write them")->capture_default_str()->type_name("DIR");
-  return {&command, [arguments, folder, crawl = &crawl, list = &list, made = &made] {
+  CLI::App* optimised = nullptr;
+  const auto optimise = addOptimise(command, optimised);
+  return {&command, [=, crawl = &crawl, list = &list, made = &made] {
             if (crawl->parsed()) return runCrawl(*arguments);
             if (list->parsed()) return runList();
             if (made->parsed()) return runMake(*folder);
-            return refuse("what to do with gaits is missing; give list, crawl or make, or --help");
+            if (optimised->parsed()) return optimise();
+            return refuse("what to do with gaits is missing; give list, crawl, optimise or make, or --help");
           }};
 }
 

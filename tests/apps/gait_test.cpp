@@ -83,11 +83,27 @@ TEST(GaitCommand, GoesDownBeforeAndGetsUpAfter) {
   EXPECT_GT(linesOf(whole.output), 3 * linesOf(crawl.output));
 }
 
+TEST(GaitCommand, OptimisesAGaitThatCanBeCrawled) {
+  const Folder folder;
+  for (const char* method : {"descent", "genetic"}) {
+    const Outcome run = runProgram({"gait", "optimise", "--method", method, "--out", folder.path("mine.json"),
+                                    "--plot", folder.path("search.svg")});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("torque, paper's weights"), std::string::npos) << run.output;
+    EXPECT_NE(readAll(folder.path("search.svg")).find("best so far"), std::string::npos);
+    const Outcome crawl = runProgram({"gait", "crawl", "--gait", folder.path("mine.json")});
+    EXPECT_EQ(crawl.exit_code, 0) << crawl.errors;
+  }
+  const Outcome none = runProgram({"gait", "optimise", "--height-m", "0.09"});
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.errors.find("allow more height"), std::string::npos) << none.errors;
+}
+
 TEST(GaitCommand, RefusesWithASentence) {
   const Folder folder;
   const std::string broken = folder.write("broken.json", "{\"name\": \"x\"}");
   for (const auto& [words, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-           {{"gait"}, "give list, crawl or make"},
+           {{"gait"}, "give list, crawl, optimise or make"},
            {{"gait", "crawl", "--gait", "moonwalk"}, "nominal"},
            {{"gait", "crawl", "--gait", broken}, "broken.json: about is missing"},
            {{"gait", "crawl", "--cycles", "0"}, "--cycles"},
