@@ -49,8 +49,8 @@ Recipe fast() {
 
 Recipe level() {
   Recipe recipe = optimum("level", Aim::kLevelBack, SearchSpace::Ends::kFree, "Keeps the back level.");
-  recipe.for_push_s_least = 1.5;  // below, its joints' own weight costs what the pose saves
-  recipe.from.times.push_s = 2.0;
+  recipe.for_push_s_least = 3.0;  // below, it costs more than the nominal gait in physics
+  recipe.from.times.push_s = 3.0;
   return recipe;
 }
 
