@@ -146,6 +146,8 @@ ExitCode runList() {
 }
 
 ExitCode runMake(const std::string& folder) {
+  std::error_code failed;  // writing says it
+  fs::create_directories(folder, failed);
   const std::vector<gait::Recipe> recipes = gait::naoRecipes();
   for (std::size_t i = 0; i < recipes.size(); ++i) {
     ProgressBar bar("optimising " + recipes[i].from.name);

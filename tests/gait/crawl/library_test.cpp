@@ -13,23 +13,29 @@ namespace {
 
 const std::filesystem::path kGaits = std::filesystem::path(UNDERWAY_SOURCE_DIR) / "gaits";
 
-void expectNear(const Cubic& a, const Cubic& b, const std::string& what) {
-  for (std::size_t i = 0; i < a.c.size(); ++i) EXPECT_NEAR(a.c[i], b.c[i], 1e-6) << what;
+PushFigures figuresOf(const Recipe& recipe, const PushShape& push) {
+  const CrawlGait& gait = recipe.from;
+  return evaluate(naoCrawler(), chainMassesOf(nao()), push,
+                  {gait.toe_to_elbow_m, gait.spread_m, gait.times.push_s, recipe.limits, {}});
 }
 
-/// What lies in the repository is what `underway gait make` makes.
+/// What lies in the repository is what `underway gait make` makes. A search may end elsewhere on a processor
+/// that rounds its sines otherwise: then what was found must be as good.
 TEST(Library, IsWhatItsRecipesMake) {
   std::vector<std::string> made;
   for (const Recipe& recipe : naoRecipes()) {
     made.push_back(recipe.from.name);
     const auto file = readGait(kGaits, recipe.from.name);
     ASSERT_TRUE(file) << file.error().message;
-    const GaitFile again = make(recipe);
-    expectNear(file->gait.push.knee, again.gait.push.knee, recipe.from.name);
-    expectNear(file->gait.push.hip, again.gait.push.hip, recipe.from.name);
-    expectNear(file->gait.push.alpha, again.gait.push.alpha, recipe.from.name);
-    EXPECT_EQ(file->gait.times, again.gait.times) << recipe.from.name;
-    EXPECT_EQ(file->about, again.about);
+    GaitFile again = make(recipe);
+    if (recipe.is_optimised) {
+      const PushFigures figures = figuresOf(recipe, file->gait.push);
+      EXPECT_LT(figures.violation, 1e-4) << recipe.from.name;
+      EXPECT_LE(costOf(figures, recipe.aim), 1.1 * costOf(figuresOf(recipe, again.gait.push), recipe.aim))
+          << recipe.from.name;
+      again.gait.push = file->gait.push;
+    }
+    EXPECT_EQ(toJson(*file), toJson(again));
   }
   std::ranges::sort(made);
   EXPECT_EQ(gaitNames(kGaits), made) << "a gait without a recipe, or a recipe without its gait";
