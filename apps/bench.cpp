@@ -9,8 +9,10 @@
 #include "apps/inputs.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
+#include "bench/gait.hpp"
 #include "bench/geometry.hpp"
 #include "bench/peer_queries.hpp"
+#include "bench/physics.hpp"
 #include "bench/planner.hpp"
 #include "bench/planners.hpp"
 #include "bench/refusals.hpp"
@@ -27,6 +29,8 @@ constexpr const char* kExamples =
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
+    "  gait        the crawl in its model: nominal and optimised, the library, how fast it is computed\n"
+    "  physics     the crawl on a NAO in MuJoCo: advance, height, torques, going down and up, under a table\n"
     "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
     "  underway bench scenarios --json scenarios.json\n"
@@ -34,6 +38,8 @@ constexpr const char* kExamples =
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
+    "  underway bench physics --plots out/bench/physics\n"
+    "  underway bench physics --only lines --quick\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
 struct Arguments {
@@ -60,24 +66,34 @@ struct Belongs {
   std::vector<std::string_view> benchmarks;
 };
 
+/// What a benchmark can measure alone.
+std::vector<std::string> partsOf(std::string_view benchmark) {
+  if (benchmark == "planner") return bench::plannerParts();
+  return benchmark == "physics" ? bench::physicsParts() : std::vector<std::string>{};
+}
+
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
-      {"--quick", arguments.quick, {"geometry", "peers", "planner", "planners"}},
+      {"--quick", arguments.quick, {"geometry", "peers", "physics", "planner", "planners"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
       {"--map", !arguments.map.file.empty(), {"planners"}},
       {"--queries", !arguments.queries.empty(), {"planners"}},
-      {"--plots", !arguments.plots.empty(), {"planners"}},
+      {"--plots", !arguments.plots.empty(), {"physics", "planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
-      {"--only", !arguments.only.empty(), {"planner"}},
+      {"--only", !arguments.only.empty(), {"physics", "planner"}},
       {"--own-s", arguments.own_s > 0.0, {"planner"}},
   };
   for (const Belongs& option : options)
     if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
                                option.benchmarks.end())
       return fmt::format("{} is not for `underway bench {}`; leave it out", option.option, arguments.name);
+  const std::vector<std::string> parts = partsOf(arguments.name);
+  if (!arguments.only.empty() && std::ranges::find(parts, arguments.only) == parts.end())
+    return fmt::format("`underway bench {}` has no part {}; name one of {}", arguments.name, arguments.only,
+                       fmt::join(parts, ", "));
   if (arguments.name == "peers" && arguments.peers.empty())
     return "`underway bench peers` needs --peers, the folder of their queries";
   if (arguments.name == "planners" && arguments.map.file.empty())
@@ -154,6 +170,9 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   }
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "gait") return bench::gait(*data, progress);
+  if (arguments.name == "physics")
+    return bench::physics({*data, arguments.quick, arguments.plots, arguments.only}, progress);
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -180,7 +199,8 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "planner", "planners"}));
+      ->check(CLI::IsMember(
+          {"scenarios", "refusals", "gait", "geometry", "peers", "physics", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
@@ -194,13 +214,15 @@ Command addBenchCommand(CLI::App& program) {
       ->check(CLI::Range(1, 100'000));
   command.add_option("--limit-s", arguments->limit_s, "planners: of each run")
       ->check(CLI::Range(0.001, 3600.0));
-  command.add_option("--plots", arguments->plots, "planners: write OMPL's log, a table and pictures here")
+  command
+      .add_option("--plots", arguments->plots,
+                  "planners: write OMPL's log, a table and pictures here; physics: pictures")
       ->type_name("DIR");
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
       ->type_name("DIR");
-  command.add_option("--only", arguments->only, "planner: one part of it")
-      ->check(CLI::IsMember(bench::plannerParts()));
+  command.add_option("--only", arguments->only, "planner, physics: one part of it")
+      ->check(CLI::IsMember(partsOf("planner")) | CLI::IsMember(partsOf("physics")));
   command
       .add_option("--own-s", arguments->own_s,
                   "planner: help the oracle with the planner's own best after S seconds")

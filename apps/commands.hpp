@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] Command addServeCommand(CLI::App& program);   ///< answers over DDS until it is told to stop
 [[nodiscard]] Command addQueryCommand(CLI::App& program);   ///< judges one pose in every mode
 [[nodiscard]] Command addCheckCommand(CLI::App& program);   ///< judges a plan by the certificate alone
+[[nodiscard]] Command addGaitCommand(CLI::App& program);    ///< makes gaits and shows them
 [[nodiscard]] Command addBenchCommand(CLI::App& program);   ///< measures
 
 }  // namespace underway

@@ -24,10 +24,11 @@ ExitCode runCommandLine(int argc, char** argv) {
                    "underway");
   program.require_subcommand(0, 1);  // none at all is told below, in our own words
   program.footer(kExamples);
-  const std::vector<Command> commands{underway::addPlanCommand(program),   underway::addAskCommand(program),
-                                      underway::addChangeCommand(program), underway::addServeCommand(program),
-                                      underway::addQueryCommand(program),  underway::addCheckCommand(program),
-                                      underway::addBenchCommand(program)};
+  const std::vector<Command> commands{
+      underway::addPlanCommand(program),   underway::addAskCommand(program),
+      underway::addChangeCommand(program), underway::addServeCommand(program),
+      underway::addQueryCommand(program),  underway::addCheckCommand(program),
+      underway::addGaitCommand(program),   underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -37,7 +38,7 @@ ExitCode runCommandLine(int argc, char** argv) {
   }
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();
-  underway::complain("a command is missing; give plan, ask, change, serve, query or check, or --help");
+  underway::complain("a command is missing; give plan, ask, change, serve, query, check or gait, or --help");
   return ExitCode::kInvalidInput;
 }
 

@@ -1,5 +1,7 @@
 #include "bench/stopwatch.hpp"
 
+#include <time.h>
+
 #include <atomic>
 #include <vector>
 
@@ -32,6 +34,21 @@ double medianOf(const std::function<void()>& run, int rounds) {
   std::vector<double> seconds;
   seconds.reserve(static_cast<std::size_t>(rounds));
   for (int round = 0; round < rounds; ++round) seconds.push_back(secondsOf(run));
+  return quantile(seconds, 0.5);
+}
+
+double processorMedianOf(const std::function<void()>& run, int rounds) {
+  const auto now_s = [] {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  std::vector<double> seconds;
+  for (int round = 0; round < rounds; ++round) {
+    const double start_s = now_s();
+    run();
+    seconds.push_back(now_s() - start_s);
+  }
   return quantile(seconds, 0.5);
 }
 

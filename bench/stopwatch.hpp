@@ -22,5 +22,7 @@ struct Paired {
 
 /// The median time of some rounds [s].
 [[nodiscard]] double medianOf(const std::function<void()>& run, int rounds);
+/// The same of this thread's processor time, which others on the machine do not lengthen [s].
+[[nodiscard]] double processorMedianOf(const std::function<void()>& run, int rounds);
 
 }  // namespace underway::bench

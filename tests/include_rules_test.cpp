@@ -19,15 +19,18 @@ const fs::path kProject = UNDERWAY_SOURCE_DIR;
 /// What each folder may include of ours, besides itself.
 const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {}},
+    {"gait", {}},
+    {"sim", {"geometry", "gait"}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
-    {"bench", {"geometry", "planner"}},
-    {"apps", {"geometry", "planner", "server", "bench"}},
+    {"bench", {"geometry", "planner", "gait", "sim"}},
+    {"apps", {"geometry", "planner", "gait", "server", "bench"}},
 };
 
 /// The only folder whose sources and headers may include a third party's headers.
-const std::map<std::string, std::string> kOwner{
-    {"fcl", "geometry"}, {"hwy", "geometry"}, {"ompl", "planner"}, {"dds", "server"}};
+const std::map<std::string, std::string> kOwner{{"fcl", "geometry"},   {"hwy", "geometry"},
+                                                {"nlopt.hpp", "gait"}, {"ompl", "planner"},
+                                                {"dds", "server"},     {"mujoco", "sim"}};
 
 /// And the only place besides: it puts OMPL's planners together with FCL, to race them against ours.
 const std::string kPeers = "bench/peers/";

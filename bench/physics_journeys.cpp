@@ -1,0 +1,82 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <fstream>
+#include <numbers>
+
+#include "bench/physics_parts.hpp"
+#include "gait/crawl/crawler.hpp"
+#include "sim/physics/journey.hpp"
+#include "sim/physics/picture.hpp"
+
+namespace underway::bench {
+namespace {
+
+using namespace underway::physics;
+
+/// A switch over all seeds.
+struct SwitchFigures {
+  double duration_s = 0.0;
+  std::vector<double> x_m, y_m, yaw_deg;
+  BodyBox box;
+
+  void add(const Recording& recording, const Pose& displacement) {
+    duration_s = recording.duration_s;
+    x_m.push_back(displacement.x);
+    y_m.push_back(displacement.y);
+    yaw_deg.push_back(displacement.yaw * 180.0 / std::numbers::pi);
+    const BodyBox swept = sweptBox(recording);
+    box = x_m.size() == 1 ? swept : BodyBox{hull(box.x, swept.x), hull(box.y, swept.y), hull(box.z, swept.z)};
+  }
+};
+
+void tellSwitch(const PhysicsRun& run, const char* name, const SwitchFigures& figures) {
+  const auto what = [&](const char* of) { return fmt::format("{}: {}", name, of); };
+  run.tell(what("duration"), figures.duration_s, "s");
+  const auto tellAll = [&](const std::vector<double>& values, const char* of, const char* unit) {
+    run.tell(what(of) + ", least", quantile(values, 0.0), unit);
+    run.tell(what(of) + ", median", quantile(values, 0.5), unit);
+    run.tell(what(of) + ", greatest", quantile(values, 1.0), unit);
+  };
+  tellAll(figures.x_m, "displacement x", "m");
+  tellAll(figures.y_m, "displacement y", "m");
+  tellAll(figures.yaw_deg, "displacement yaw", "deg");
+  for (const auto& [axis, range] :
+       {std::pair('x', figures.box.x), std::pair('y', figures.box.y), std::pair('z', figures.box.z)}) {
+    run.tell(what("box, ") + axis + " from", range.min, "m");
+    run.tell(what("box, ") + axis + " to", range.max, "m");
+  }
+}
+
+void draw(const PhysicsRun& run, const char* name, const Recording& recording) {
+  if (run.pictures.empty()) return;
+  const auto model = makeModel(run.robot, {}, 1.0);
+  std::ofstream(std::filesystem::path(run.pictures) / name) << drawSide(**model, spread(recording, 16));
+}
+
+}  // namespace
+
+void measureJourneys(const PhysicsRun& run) {
+  SwitchFigures down;
+  SwitchFigures up;
+  double clean = 0.0;
+  double done = 0.0;
+  for (const std::uint64_t seed : run.seeds) {
+    const Journey journey = crawlUnder(run.robot, {}, gait::cruiseGait(), conditionsOf(seed)).value();
+    clean += journey.stands && journey.touches.empty() ? 1.0 : 0.0;
+    down.add(journey.down, journey.lying_after_down);
+    up.add(journey.up, journey.standing_after_up);
+    if (seed == run.seeds.front()) {
+      draw(run, "down.svg", journey.down);
+      draw(run, "crawl.svg", journey.crawl.recordings.at(1));
+      draw(run, "up.svg", journey.up);
+    }
+    run.progress(done += 1.0 / static_cast<double>(run.seeds.size()));
+  }
+  const double count = static_cast<double>(run.seeds.size());
+  run.ask("down, under a table of 1 m with 220 mm clear, up: touching nothing", clean, "seeds",
+          fmt::format("{:.0f}", count), clean == count);
+  tellSwitch(run, "frontal to crawl", down);
+  tellSwitch(run, "crawl to frontal", up);
+}
+
+}  // namespace underway::bench
