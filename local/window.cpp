@@ -1,0 +1,102 @@
+#include "local/window.hpp"
+
+#include <cmath>
+
+namespace underway {
+namespace {
+
+constexpr auto kWide = static_cast<std::int64_t>(Window::kCells);
+
+std::size_t wrapped(std::int64_t at) { return static_cast<std::size_t>(((at % kWide) + kWide) % kWide); }
+
+}  // namespace
+
+Window::Cell Window::cellOf(Point at) {
+  return {static_cast<std::int64_t>(std::floor(at.x / kCell_m)),
+          static_cast<std::int64_t>(std::floor(at.y / kCell_m))};
+}
+
+bool Window::isInside(Cell cell) const {
+  return cell.x >= corner_.x && cell.y >= corner_.y && cell.x < corner_.x + kWide && cell.y < corner_.y + kWide;
+}
+
+std::size_t Window::indexOf(Cell cell) { return wrapped(cell.y) * kCells + wrapped(cell.x); }
+
+void Window::slideTo(Point at) {
+  const Cell middle = cellOf(at);
+  const Cell corner{middle.x - kWide / 2, middle.y - kWide / 2};
+  if (std::abs(corner.x - corner_.x) >= kWide || std::abs(corner.y - corner_.y) >= kWide) {
+    clear();
+    corner_ = corner;
+    return;
+  }
+  // Columns and rows that slide in take the places of those that slide out.
+  while (corner_.x < corner.x) forgetColumn(corner_.x++);
+  while (corner_.x > corner.x) forgetColumn(--corner_.x);
+  while (corner_.y < corner.y) forgetRow(corner_.y++);
+  while (corner_.y > corner.y) forgetRow(--corner_.y);
+}
+
+void Window::forgetColumn(std::int64_t x) {
+  for (std::size_t row = 0; row < kCells; ++row) hits_[row * kCells + wrapped(x)] = 0;
+}
+
+void Window::forgetRow(std::int64_t y) {
+  std::fill_n(hits_.begin() + static_cast<std::ptrdiff_t>(wrapped(y) * kCells), kCells, std::uint8_t{0});
+}
+
+void Window::hit(Point at) {
+  constexpr std::uint8_t kMost = 2 * kSure;
+  const Cell cell = cellOf(at);
+  if (!isInside(cell)) return;
+  std::uint8_t& hits = hits_[indexOf(cell)];
+  if (hits < kMost) ++hits;
+}
+
+std::uint8_t Window::hitsAt(Point at) const {
+  const Cell cell = cellOf(at);
+  return isInside(cell) ? hits_[indexOf(cell)] : std::uint8_t{0};
+}
+
+void Window::pass(Point from, Point to) {
+  constexpr double kShort_m = 2.0 * kCell_m;  // of the end: what stands there may reach nearer
+  const double range = distance(from, to) - kShort_m;
+  if (!(range > 0.0)) return;
+  const double share = kCell_m / distance(from, to);
+  for (double t = 0.0; t * distance(from, to) < range; t += share) {
+    const Cell cell = cellOf({std::lerp(from.x, to.x, t), std::lerp(from.y, to.y, t)});
+    if (!isInside(cell)) return;
+    std::uint8_t& hits = hits_[indexOf(cell)];
+    if (hits > 0) --hits;
+  }
+}
+
+void VirtualObstacles::add(Point at, double radius_m) {
+  if (size_ < kMost) {
+    discs_[size_++] = {at, radius_m};
+    return;
+  }
+  discs_[oldest_] = {at, radius_m};
+  oldest_ = (oldest_ + 1) % kMost;
+}
+
+void VirtualObstacles::shorten(Scan& scan, const Pose& from) {
+  constexpr double kReach_m = 0.5 * static_cast<double>(Window::kCells) * Window::kCell_m;
+  for (std::size_t k = 0; k < size_; ++k) {
+    const double range = distance(discs_[k].at, from.position());
+    const double radius = discs_[k].radius_m;
+    if (range > kReach_m || range <= radius + 0.3) continue;
+    const double middle =
+        normalizedAngle(std::atan2(discs_[k].at.y - from.y, discs_[k].at.x - from.x) - from.yaw);
+    const double half = std::asin(radius / range);
+    for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+      const double off = normalizedAngle(scan.beams.bearing(i) - middle);
+      if (std::abs(off) >= half) continue;
+      const double across = range * std::sin(off);
+      const double hit = range * std::cos(off) - std::sqrt(radius * radius - across * across);
+      scan.ranges_m[i] = std::min(scan.ranges_m[i], static_cast<float>(hit));
+    }
+  }
+}
+
+}  // namespace underway
