@@ -4,11 +4,22 @@
 #include <cmath>
 
 namespace underway {
+namespace {
+
+constexpr int kFirst = 30;            // headings, before drift can be told from them
+constexpr double kMostDrift = 0.15;   // [rad/m]
+
+}  // namespace
 
 void Belief::set(const Pose& pose) {
   pose_ = pose;
   past_.fill(pose);
   fixes_ = headings_ = 0;
+}
+
+void Belief::jump(const Pose& displacement) {
+  pose_ = compose(pose_, displacement);
+  past_.fill(pose_);
 }
 
 void Belief::move(double x_m, double y_m, double turn_rad) {
@@ -31,20 +42,20 @@ void Belief::correct(const Senses& senses) {
   const Pose& then = at(senses.pose->stamp_s, senses.now_s);
   const Pose& measured = senses.pose->pose;
   ++fixes_;
-  last_fix_s_ = senses.now_s;
   const double gain = std::max(settings_.gain, 1.0 / (1.0 + fixes_));
   const Point off{gain * (measured.x - then.x), gain * (measured.y - then.y)};
   for (Pose& past : past_) past.x += off.x, past.y += off.y;
   pose_.x += off.x;
   pose_.y += off.y;
-  correctHeading(normalizedAngle(measured.yaw - then.yaw));
+  const double turned = normalizedAngle(measured.yaw - then.yaw);
+  if (moved_m_ > 0.0 && headings_ > kFirst)
+    drift_rad_per_m_ = std::clamp(drift_rad_per_m_ + settings_.drift_gain * turned, -kMostDrift, kMostDrift);
+  correctHeading(turned);
 }
 
 void Belief::correctHeading(double off_rad) {
   ++headings_;
   const double gain = std::max(settings_.heading_gain, 1.0 / (1.0 + headings_));
-  if (moved_m_ > 0.0 && headings_ > 30)
-    drift_rad_per_m_ = std::clamp(drift_rad_per_m_ + settings_.drift_gain * off_rad / moved_m_ * 0.1, -0.15, 0.15);
   moved_m_ = 0.0;
   for (Pose& past : past_) past.yaw = normalizedAngle(past.yaw + gain * off_rad);
   pose_.yaw = normalizedAngle(pose_.yaw + gain * off_rad);

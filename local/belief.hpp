@@ -11,7 +11,7 @@ namespace underway {
 struct BeliefSettings {
   double gain = 0.08;           ///< how much of a difference to the measured position is believed
   double heading_gain = 0.08;   ///< and to the measured heading
-  double drift_gain = 0.004;    ///< how fast the gait's heading drift is learnt [1/tick]
+  double drift_gain = 0.06;     ///< how fast the gait's heading drift is learnt while walking [1/m]
   double tick_s = 0.1;
 };
 
@@ -26,14 +26,16 @@ class Belief {
   void set(const Pose& pose);
   /// What the last command has moved it by, in its body frame.
   void move(double x_m, double y_m, double turn_rad);
+  /// A change of mode has moved it by this, in its body frame.
+  void jump(const Pose& displacement);
   /// What localisation says, or while it is silent the inertial heading alone.
   void correct(const Senses& senses);
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Since when localisation is silent [s].
-  [[nodiscard]] double silentSince(double now_s) const { return now_s - last_fix_s_; }
-  /// Ticks that went into the present belief since it was last set or silent.
+  /// Fixes of localisation in a row.
   [[nodiscard]] int fixes() const { return fixes_; }
+  /// By how much the gait turns the robot while it moves, as learnt [rad/m].
+  [[nodiscard]] double drift() const { return drift_rad_per_m_; }
 
  private:
   static constexpr std::size_t kPast = 16;
@@ -46,9 +48,8 @@ class Belief {
   std::size_t newest_ = 0;
   int fixes_ = 0;
   int headings_ = 0;
-  double last_fix_s_ = 0.0;
-  double moved_m_ = 0.0;            // since the last correction
-  double drift_rad_per_m_ = 0.0;    // learnt
+  double moved_m_ = 0.0;  // since the last correction
+  double drift_rad_per_m_ = 0.0;
 };
 
 }  // namespace underway

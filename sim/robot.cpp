@@ -110,7 +110,7 @@ void SimulatedRobot::step(const Command& command) {
   } else if (mode.canTurn()) {
     walk(command.velocity);
   } else {
-    crawl(command.velocity.x_mps > 0.0);
+    crawl(command.velocity.x_mps);
   }
   ++ticks_;
   std::rotate(past_.begin(), past_.begin() + 1, past_.end());
@@ -123,13 +123,14 @@ void SimulatedRobot::walk(const Velocity& velocity) {
   move(done.x_mps * kTick_s, done.y_mps * kTick_s, done.turn_radps * kTick_s + drift_rad_per_m_ * way);
 }
 
-void SimulatedRobot::crawl(bool goes_on) {
+void SimulatedRobot::crawl(double wanted_mps) {
   const double speed = robot_->modes[truth_.mode].speed(Sense::kForward);
   if (cycle_left_s_ <= 0.0) {
-    if (!goes_on || speed <= 0.0) return;
+    if (wanted_mps <= 0.0 || speed <= 0.0) return;
     cycle_left_s_ = kStroke_m / speed;
     std::normal_distribution<double> lost(flaws_.stroke_lost, flaws_.stroke_sigma);
-    cycle_share_ = std::clamp(1.0 - lost(random_), 0.0, 1.2);
+    // Slower is a shorter stroke in the same time.
+    cycle_share_ = std::min(wanted_mps / speed, 1.0) * std::clamp(1.0 - lost(random_), 0.0, 1.2);
   }
   if (is_stalled_) return;  // the cycle does not end
   const double time = std::min(kTick_s, cycle_left_s_);

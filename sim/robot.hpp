@@ -66,7 +66,7 @@ class SimulatedRobot {
 
  private:
   void walk(const Velocity& velocity);
-  void crawl(bool goes_on);
+  void crawl(double wanted_mps);
   void beginSwitch(ModeId to);
   void goOnSwitching();
   [[nodiscard]] bool isLying() const;

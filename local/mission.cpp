@@ -1,0 +1,115 @@
+#include "local/mission.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace underway {
+namespace {
+
+constexpr int kMostRefusals = 3;    // of plans, with a fresh look between them
+constexpr double kLookAgain_s = 2.0;
+constexpr double kAskAgain_s = 1.0;    // a server that is gone
+constexpr double kMostLost_s = 30.0;   // standing still without localisation
+
+/// A cell in which something was seen, as an obstacle as high as the robot, a little grown for the noise.
+Obstacle obstacleAt(Point cell, const World& world, const Robot& robot) {
+  constexpr double kGrown_m = 0.01;
+  const double height = robot.modes.front().body_m.z.max;
+  const double size = Window::kCell_m + 2.0 * kGrown_m;
+  const auto at = [](double x) { return std::to_string(std::lround(std::floor(x / Window::kCell_m))); };
+  return {"seen_" + at(cell.x) + "_" + at(cell.y),
+          {{cell.x, cell.y, world.floorZ() + 0.5 * height}, {size, size, height}, {}}};
+}
+
+/// Whether the robot stands in a cell, by its own belief: then it cannot be there.
+bool standsIn(const BodyBox& body, const Pose& at, Point cell) {
+  const Pose back = before({0.0, 0.0, 0.0}, at);
+  const Point p = transform({back.x, back.y, -at.yaw}, cell);
+  constexpr double kHalf_m = 0.04;
+  return p.x > body.x.min - kHalf_m && p.x < body.x.max + kHalf_m && p.y > body.y.min - kHalf_m &&
+         p.y < body.y.max + kHalf_m;
+}
+
+}  // namespace
+
+Mission::Mission(std::shared_ptr<const World> map, std::shared_ptr<const Robot> robot, Request request,
+                 PlanSource source, const ExecutorSettings& settings)
+    : map_(std::move(map)),
+      world_(map_),
+      robot_(robot),
+      request_(std::move(request)),
+      source_(std::move(source)),
+      executor_(std::move(robot), settings) {}
+
+Tick Mission::tick(const Senses& senses) {
+  Tick tick = executor_.tick(senses);
+  switch (tick.state) {
+    case State::kArrived:
+      outcome_ = Outcome::kArrived;
+      break;
+    case State::kFallen:
+      outcome_ = Outcome::kNeedsHelp, why_ = "the robot has fallen; get it up, then ask for a new plan";
+      if (!senses.has_fallen) ask(senses);
+      break;
+    case State::kStalled:
+      outcome_ = Outcome::kNeedsHelp, why_ = "the crawl does not progress, or there is no room to get up";
+      break;
+    case State::kLost:
+      if (lost_s_ == 0.0) lost_s_ = senses.now_s;
+      why_ = "localisation is silent; standing still until it is back";
+      if (senses.now_s - lost_s_ > kMostLost_s) outcome_ = Outcome::kNeedsHelp;
+      break;
+    case State::kIdle:
+    case State::kBlocked:
+      ask(senses);
+      break;
+    default:
+      lost_s_ = 0.0;
+      break;
+  }
+  return tick;
+}
+
+void Mission::ask(const Senses& senses) {
+  const bool is_first = plans_ == 0;
+  if (senses.now_s < again_s_) return;
+  if (!is_first) world_ = worldWithSurprises(refusals_ == 0 ? world_ : map_);
+  auto plan = planFromHere();
+  if (!plan) return refused(plan.error(), senses.now_s);
+  ++plans_;
+  refusals_ = 0;
+  outcome_ = Outcome::kUnderway;
+  why_.clear();
+  executor_.follow(std::move(*plan), world_);
+}
+
+Expected<Plan> Mission::planFromHere() {
+  Request request = request_;
+  if (plans_ > 0) {
+    request.start = executor_.pose();
+    request.start_mode = executor_.mode();
+  }
+  return source_(request, world_);
+}
+
+void Mission::refused(const Error& error, double now_s) {
+  why_ = error.message;
+  if (error.code == ErrorCode::kNoServer) {
+    again_s_ = now_s + kAskAgain_s;  // it stands still meanwhile
+    return;
+  }
+  again_s_ = now_s + kLookAgain_s;
+  if (++refusals_ >= kMostRefusals || plans_ == 0) outcome_ = Outcome::kNoWay;
+}
+
+std::shared_ptr<const World> Mission::worldWithSurprises(const std::shared_ptr<const World>& base) const {
+  World world = *base;
+  const BodyBox& body = robot_->modes[executor_.mode()].body_m;
+  for (const Point cell : executor_.surprises()) {
+    if (standsIn(body, executor_.pose(), cell)) continue;
+    if (auto with = world.added(obstacleAt(cell, world, *robot_))) world = std::move(*with);
+  }
+  return std::make_shared<const World>(std::move(world));
+}
+
+}  // namespace underway

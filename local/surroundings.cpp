@@ -1,0 +1,123 @@
+#include "local/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/sweep.hpp"
+#include "local/lane.hpp"
+
+namespace underway {
+namespace {
+
+constexpr std::size_t kMostPoints = 2048;
+constexpr double kMargin_m = 0.02;  // from what is unmapped
+
+BodyBox shrunk(BodyBox body, double by_m) {
+  body.x = body.x.grown(-by_m);
+  body.y = body.y.grown(-by_m);
+  return body;
+}
+
+/// By how much a noisy beam may end inside a body that touches nothing and keeps 2 cm.
+double intrusionOf(const SurroundingsSettings& settings) {
+  return std::clamp(4.0 * settings.sensor_sigma_m - 0.02, 0.015, 0.08);
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
+    : settings_(settings),
+      robot_(std::move(robot)),
+      against_unmapped_({kMargin_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
+      against_all_({1e-3, 0.5}, shrunk(robot_->modes.front().body_m, intrusionOf(settings)), kMostPoints) {}
+
+void Surroundings::expect(const World& world, const Plan& plan) {
+  if (robot_->senses.waist) {
+    const double height = robot_->senses.waist->height_m;
+    waist_map_ = MapView(world, {height, height}, plan, settings_.tolerance_m, settings_.round_m);
+  }
+  if (robot_->senses.head) {
+    const double height = robot_->senses.head->height_m;
+    head_map_ = MapView(world, {height, height}, plan, settings_.tolerance_m, settings_.round_m);
+  }
+  if (robot_->senses.depth)
+    depth_map_ = MapView(world, {0.02, robot_->modes.front().body_m.z.max}, plan, settings_.tolerance_m,
+                         settings_.round_m);
+  window_.clear();
+}
+
+void Surroundings::see(const Senses& senses, const Pose& from) {
+  against_unmapped_.clear();
+  against_all_.clear();
+  window_.slideTo(from.position());
+  ++turn_;
+  const bool is_lying = robot_->modes[senses.mode].body_m.z.max < robot_->modes.front().body_m.z.max;
+  if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
+  if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
+  if (senses.scan != nullptr) against_all_.look(*senses.scan);
+  // What was seen before, for the sides that are not seen now.
+  const Pose back = before({0.0, 0.0, 0.0}, from);
+  window_.visitOccupied(from.position(), 0.5, [&](Point cell) {
+    against_unmapped_.add(transform({back.x, back.y, -from.yaw}, cell));
+  });
+}
+
+void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
+  constexpr std::size_t kShare = 8;  // of the beams, looked at for what is free, each tick others
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double range = scan.ranges_m[i];
+    const double bearing = scan.beams.bearing(i) + from.yaw;
+    const Point direction{std::cos(bearing), std::sin(bearing)};
+    const double reach = std::min(range, settings_.believed_m);
+    const Point end{from.x + reach * direction.x, from.y + reach * direction.y};
+    if (i % kShare == turn_ % kShare) window_.pass(from.position(), end);
+    if (range < settings_.believed_m && !map.isExpected(end)) window_.hit(end);
+  }
+}
+
+bool Surroundings::isLaneBlocked(const Motion& translation, double along_m, double shift_m) const {
+  const BodyBox& body = robot_->modes[translation.mode].body_m;
+  const bool along_x = translation.sense == Sense::kForward || translation.sense == Sense::kBackward;
+  const Range across = (along_x ? body.y : body.x).grown(settings_.lane_margin_m);
+  const Range along = along_x ? body.x : body.y;
+  const double half = std::max(-across.min, across.max);
+  const double reach = std::max(-along.min, along.max) + settings_.lane_margin_m;
+  const double last = std::min(along_m + settings_.ahead_m, length(translation)) + reach;
+  const Point middle = pointAlong(translation, 0.5 * (along_m + last));
+  bool is_blocked = false;
+  window_.visitOccupied(middle, 0.5 * (last - along_m) + 2.0 * half + std::abs(shift_m), [&](Point cell) {
+    const OnLane at = onLane(translation, {cell.x, cell.y, 0.0});
+    is_blocked |= std::abs(at.left_m - shift_m) < half && at.along_m > along_m && at.along_m < last;
+  });
+  return is_blocked;
+}
+
+bool Surroundings::isTurnBlocked(const Pose& at) const {
+  const double reach = reachOf(robot_->modes.front().body_m);
+  bool is_blocked = false;
+  window_.visitOccupied(at.position(), reach + Window::kCell_m,
+                        [&](Point cell) { is_blocked |= distance(cell, at.position()) < reach; });
+  return is_blocked;
+}
+
+std::optional<double> Surroundings::shiftAround(const Motion& translation, double along_m,
+                                                double most_m) const {
+  constexpr double kStep_m = 0.05;
+  if (!isLaneBlocked(translation, along_m)) return 0.0;
+  for (double shift = kStep_m; shift <= most_m; shift += kStep_m)
+    for (const double side : {shift, -shift})
+      if (!isLaneBlocked(translation, along_m, side)) return side;
+  return std::nullopt;
+}
+
+Velocity Surroundings::guarded(const Velocity& wanted) const {
+  return against_all_.allowed(against_unmapped_.allowed(wanted));
+}
+
+std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {
+  std::vector<Point> cells;
+  window_.visitOccupied(at, reach_m, [&](Point cell) { cells.push_back(cell); });
+  return cells;
+}
+
+}  // namespace underway
