@@ -10,7 +10,7 @@ constexpr double kLimit_s = 1800.0;  // simulated
 constexpr double kArrival_m = 0.05;
 constexpr double kArrival_rad = 5.0 * std::numbers::pi / 180.0;
 
-Planner::Clock::time_point patience() { return Planner::Clock::now() + std::chrono::seconds(10); }
+Planner::Clock::time_point patience() { return Planner::Clock::now() + std::chrono::milliseconds(500); }
 
 /// Whether there is no way in the true world either, from where the robot truly stands.
 bool isTrulyBlocked(const Course& course, const std::shared_ptr<const Robot>& robot, const sim::Truth& truth) {
@@ -18,7 +18,7 @@ bool isTrulyBlocked(const Course& course, const std::shared_ptr<const Robot>& ro
   Request request = course.request;
   request.start = truth.pose;
   request.start_mode = truth.mode;
-  return !planner.findPlan(request, Planner::Clock::now() + std::chrono::seconds(2));
+  return !planner.plan(request, Planner::Clock::now() + std::chrono::seconds(2));
 }
 
 void judge(const Course& course, const sim::Truth& truth, LoopRun& run) {
@@ -32,12 +32,15 @@ void judge(const Course& course, const sim::Truth& truth, LoopRun& run) {
 
 }  // namespace
 
-LoopRun driveCourse(const Course& course, Planner& planner, const std::shared_ptr<const Robot>& robot,
+LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner, const std::shared_ptr<const Robot>& robot,
                     const ExecutorSettings& settings, const sim::Flaws& flaws, std::uint64_t seed,
                     const WatchLoop& watch) {
   const auto source = [&](const Request& request, const std::shared_ptr<const World>& world) {
-    if (planner.checker()->world().hash() != world->hash()) planner.update(world);
-    return planner.findPlan(request, patience());
+    if (planner->checker()->world().hash() != world->hash()) planner->update(world);
+    auto plan = planner->findPlan(request, patience());
+    if (plan || plan.error().code != ErrorCode::kTimeout) return plan;
+    planner = std::make_unique<Planner>(world, robot);
+    return planner->plan(request, patience());
   };
   Mission mission(course.map, robot, course.request, source, settings);
   sim::SimulatedRobot body(course.truth, robot, course.request.start, course.request.start_mode, seed, flaws);

@@ -13,8 +13,8 @@ Executor::Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& s
       follow_(settings.follow, robot_, Beams{}),
       surroundings_(settings.surroundings, robot_) {}
 
-void Executor::follow(Plan plan, std::shared_ptr<const World> world) {
-  surroundings_.expect(*world, plan);
+void Executor::follow(Plan plan, std::shared_ptr<const World> world, const World& map) {
+  surroundings_.expect(map, plan);
   checker_ = std::make_shared<const Checker>(std::move(world), robot_);
   plan_ = std::move(plan);
   segment_ = 0;
@@ -144,11 +144,26 @@ bool Executor::isBlocked() {
   if (idle_s_ > settings_.stuck_after_s * (state_ == State::kAligning ? kPatience : 1.0)) return true;
   const Motion& motion = segment->motion;
   if (motion.kind == MotionKind::kTurn) return surroundings_.isTurnBlocked(belief_.pose());
-  if (motion.kind != MotionKind::kTranslate || isLow(motion.mode)) return false;
+  if (motion.kind == MotionKind::kSwitch) return isPassageBlocked();
+  if (isLow(motion.mode)) return false;
   const double along = onLane(motion, belief_.pose()).along_m;
   const auto shift = surroundings_.shiftAround(motion, along, follow_.allowance(*segment));
   shift_m_ = shift.value_or(0.0);
   return !shift;
+}
+
+/// Whether something unmapped stands where it is to lie down, or along the crawl as far as it was seen.
+bool Executor::isPassageBlocked() const {
+  if (next() != Next::kDown) return false;
+  const Motion& down = current()->motion;
+  const Switch* change = robot_->findSwitch(down.mode, down.to_mode);
+  if (change != nullptr && surroundings_.isBoxBlocked(change->body_m, belief_.pose())) return true;
+  for (std::size_t i = segment_ + 1; i < plan_.segments.size(); ++i) {
+    const Motion& motion = plan_.segments[i].motion;
+    if (motion.kind == MotionKind::kSwitch) break;
+    if (isLow(motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
+  }
+  return false;
 }
 
 bool Executor::isAligned() {
@@ -189,7 +204,7 @@ Command Executor::commandFor(const Senses& senses) {
   switch (state_) {
     case State::kWalking:
       if (current()->motion.kind == MotionKind::kSwitch) return {{}, current()->motion.to_mode};
-      return {walkOn(senses), std::nullopt};
+      return {walkOn(senses), std::nullopt, lookRad()};
     case State::kAligning:
       return {surroundings_.guarded(holdAt(entryOf(passage_, plan_, belief_.drift()), belief_.pose(),
                                            settings_.follow.hold, limits_)),
@@ -222,6 +237,14 @@ Velocity Executor::crawlOn() {
     is_stroke_ = true;
   }
   return {stride_ * top, 0.0, 0.0};
+}
+
+/// Where the robot goes.
+double Executor::lookRad() const {
+  const Motion& motion = current()->motion;
+  constexpr double kIntoTurn_rad = 0.8;
+  if (motion.kind == MotionKind::kTurn) return std::copysign(kIntoTurn_rad, motion.angle_rad);
+  return angleOf(motion.sense);
 }
 
 std::vector<Point> Executor::surprises() const {

@@ -41,8 +41,9 @@ class Executor {
  public:
   Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings = {});
 
-  /// Takes a plan, made in a world; the robot is in the mode that the plan begins in. Replaces the one before.
-  void follow(Plan plan, std::shared_ptr<const World> world);
+  /// Takes a plan, made in a world: a map and what was seen that it does not have. The robot is in the mode
+  /// that the plan begins in. Replaces the plan before.
+  void follow(Plan plan, std::shared_ptr<const World> world, const World& map);
   /// Lets go of the plan: the robot stands still.
   void stop();
 
@@ -64,7 +65,9 @@ class Executor {
   [[nodiscard]] Command commandFor(const Senses& senses);
   [[nodiscard]] Velocity walkOn(const Senses& senses);
   [[nodiscard]] Velocity crawlOn();
+  [[nodiscard]] double lookRad() const;
   [[nodiscard]] bool isBlocked();
+  [[nodiscard]] bool isPassageBlocked() const;
   [[nodiscard]] bool isAligned();
   [[nodiscard]] bool hasRoomUpHere() const;
   [[nodiscard]] bool isStalled() const;

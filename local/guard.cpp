@@ -12,7 +12,8 @@ constexpr double kFastest_mps = 0.2;  // of any robot this is for; a faster one 
 double distanceTo(const BodyBox& body, Point p) {
   const double dx = std::max({body.x.min - p.x, 0.0, p.x - body.x.max});
   const double dy = std::max({body.y.min - p.y, 0.0, p.y - body.y.max});
-  return std::hypot(dx, dy);
+  if (dx > 0.0 || dy > 0.0) return std::hypot(dx, dy);
+  return std::max({body.x.min - p.x, p.x - body.x.max, body.y.min - p.y, p.y - body.y.max});
 }
 
 }  // namespace
@@ -42,13 +43,19 @@ double Guard::distanceAfter(const Velocity& velocity, double time_s) const {
   const double turned = velocity.turn_radps * time_s;
   const double c = std::cos(turned);
   const double s = std::sin(turned);
-  double nearest = near_m_;
+  std::array<double, kMostOutliers + 1> nearest{};  // ascending
+  const std::size_t count = std::min(settings_.outliers, kMostOutliers) + 1;
+  std::fill_n(nearest.begin(), count, near_m_);
   for (const Point p : points_) {
     const double x = p.x - velocity.x_mps * time_s;
     const double y = p.y - velocity.y_mps * time_s;
-    nearest = std::min(nearest, distanceTo(body_, {c * x + s * y, c * y - s * x}));
+    const double away = distanceTo(body_, {c * x + s * y, c * y - s * x});
+    if (away >= nearest[count - 1]) continue;
+    std::size_t at = count - 1;
+    for (; at > 0 && nearest[at - 1] > away; --at) nearest[at] = nearest[at - 1];
+    nearest[at] = away;
   }
-  return nearest;
+  return nearest[count - 1];
 }
 
 Velocity Guard::allowed(const Velocity& wanted) const {

@@ -25,7 +25,7 @@ Obstacle obstacleAt(Point cell, const World& world, const Robot& robot) {
 bool standsIn(const BodyBox& body, const Pose& at, Point cell) {
   const Pose back = before({0.0, 0.0, 0.0}, at);
   const Point p = transform({back.x, back.y, -at.yaw}, cell);
-  constexpr double kHalf_m = 0.04;
+  constexpr double kHalf_m = 0.055;  // of a cell's diagonal, grown as above, and a little
   return p.x > body.x.min - kHalf_m && p.x < body.x.max + kHalf_m && p.y > body.y.min - kHalf_m &&
          p.y < body.y.max + kHalf_m;
 }
@@ -80,7 +80,7 @@ void Mission::ask(const Senses& senses) {
   refusals_ = 0;
   outcome_ = Outcome::kUnderway;
   why_.clear();
-  executor_.follow(std::move(*plan), world_);
+  executor_.follow(std::move(*plan), world_, *map_);
 }
 
 Expected<Plan> Mission::planFromHere() {

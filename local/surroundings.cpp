@@ -10,17 +10,19 @@ namespace underway {
 namespace {
 
 constexpr std::size_t kMostPoints = 2048;
-constexpr double kMargin_m = 0.02;  // from what is unmapped
+constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
+constexpr double kGuarded_m = 1.0;   // what is further away cannot be run into in a tick
 
-BodyBox shrunk(BodyBox body, double by_m) {
-  body.x = body.x.grown(-by_m);
-  body.y = body.y.grown(-by_m);
-  return body;
+Tolerance toleranceOf(const SurroundingsSettings& settings) {
+  Tolerance tolerance;
+  tolerance.near_m = 0.025 + 2.0 * settings.sensor_sigma_m;
+  return tolerance;
 }
 
-/// By how much a noisy beam may end inside a body that touches nothing and keeps 2 cm.
-double intrusionOf(const SurroundingsSettings& settings) {
-  return std::clamp(4.0 * settings.sensor_sigma_m - 0.02, 0.015, 0.08);
+/// How many noisy beams may seem to end inside a body that keeps 2 cm from a wall.
+std::size_t outliersOf(const SurroundingsSettings& settings) {
+  const double of_margin = settings.sensor_sigma_m / 0.01;
+  return static_cast<std::size_t>(std::lround(6.0 * of_margin * of_margin));
 }
 
 }  // namespace
@@ -28,22 +30,21 @@ double intrusionOf(const SurroundingsSettings& settings) {
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
-      against_unmapped_({kMargin_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
-      against_all_({1e-3, 0.5}, shrunk(robot_->modes.front().body_m, intrusionOf(settings)), kMostPoints) {}
+      against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
+      against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
-void Surroundings::expect(const World& world, const Plan& plan) {
+void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.waist) {
     const double height = robot_->senses.waist->height_m;
-    waist_map_ = MapView(world, {height, height}, plan, settings_.tolerance_m, settings_.round_m);
+    waist_map_ = MapView(map, {height, height}, plan, toleranceOf(settings_), settings_.round_m);
   }
   if (robot_->senses.head) {
     const double height = robot_->senses.head->height_m;
-    head_map_ = MapView(world, {height, height}, plan, settings_.tolerance_m, settings_.round_m);
+    head_map_ = MapView(map, {height, height}, plan, toleranceOf(settings_), settings_.round_m);
   }
   if (robot_->senses.depth)
-    depth_map_ = MapView(world, {0.02, robot_->modes.front().body_m.z.max}, plan, settings_.tolerance_m,
+    depth_map_ = MapView(map, {0.02, robot_->modes.front().body_m.z.max}, plan, toleranceOf(settings_),
                          settings_.round_m);
-  window_.clear();
 }
 
 void Surroundings::see(const Senses& senses, const Pose& from) {
@@ -55,10 +56,17 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
   if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
   if (senses.scan != nullptr) against_all_.look(*senses.scan);
-  // What was seen before, for the sides that are not seen now.
+  addWhatIsBehind(from);
+}
+
+/// What was seen before, where no beam looks now.
+void Surroundings::addWhatIsBehind(const Pose& from) {
+  constexpr double kReach_m = 0.5;
+  const double seen_rad = -Beams{}.first_rad;
   const Pose back = before({0.0, 0.0, 0.0}, from);
-  window_.visitOccupied(from.position(), 0.5, [&](Point cell) {
-    against_unmapped_.add(transform({back.x, back.y, -from.yaw}, cell));
+  window_.visitOccupied(from.position(), kReach_m, [&](Point cell) {
+    const Point local = transform({back.x, back.y, -from.yaw}, cell);
+    if (std::abs(std::atan2(local.y, local.x)) > seen_rad) against_unmapped_.add(local);
   });
 }
 
@@ -71,7 +79,10 @@ void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) 
     const double reach = std::min(range, settings_.believed_m);
     const Point end{from.x + reach * direction.x, from.y + reach * direction.y};
     if (i % kShare == turn_ % kShare) window_.pass(from.position(), end);
-    if (range < settings_.believed_m && !map.isExpected(end)) window_.hit(end);
+    if (range >= settings_.believed_m || map.isExpected(end, range)) continue;
+    window_.hit(end);
+    if (range < kGuarded_m)
+      against_unmapped_.add({range * std::cos(scan.beams.bearing(i)), range * std::sin(scan.beams.bearing(i))});
   }
 }
 
@@ -97,6 +108,18 @@ bool Surroundings::isTurnBlocked(const Pose& at) const {
   bool is_blocked = false;
   window_.visitOccupied(at.position(), reach + Window::kCell_m,
                         [&](Point cell) { is_blocked |= distance(cell, at.position()) < reach; });
+  return is_blocked;
+}
+
+bool Surroundings::isBoxBlocked(const BodyBox& box, const Pose& at) const {
+  const Pose back = before({0.0, 0.0, 0.0}, at);
+  const Range x = box.x.grown(settings_.lane_margin_m);
+  const Range y = box.y.grown(settings_.lane_margin_m);
+  bool is_blocked = false;
+  window_.visitOccupied(at.position(), reachOf(box) + Window::kCell_m, [&](Point cell) {
+    const Point local = transform({back.x, back.y, -at.yaw}, cell);
+    is_blocked |= local.x > x.min && local.x < x.max && local.y > y.min && local.y < y.max;
+  });
   return is_blocked;
 }
 

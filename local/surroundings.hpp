@@ -15,8 +15,7 @@
 namespace underway {
 
 struct SurroundingsSettings {
-  double tolerance_m = 0.12;   ///< what is seen so near to something in the map is that [m]
-  double round_m = 3.0;        ///< how far round the plan the map is looked at [m]
+  double round_m = 2.5;        ///< how far round the plan the map is looked at [m]
   double believed_m = 2.5;     ///< what is seen further away is not sure enough to act upon [m]
   double sensor_sigma_m = 0.01;  ///< of what is near [m]
   double ahead_m = 1.0;        ///< how far ahead the lane has to be free of what is unmapped [m]
@@ -28,8 +27,8 @@ class Surroundings {
  public:
   Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
 
-  /// A new plan in a new map: what is mapped now surprises no more.
-  void expect(const World& world, const Plan& plan);
+  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept.
+  void expect(const World& map, const Plan& plan);
   /// What the senses tell, seen from a believed pose.
   void see(const Senses& senses, const Pose& from);
 
@@ -37,6 +36,8 @@ class Surroundings {
   [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m, double shift_m = 0.0) const;
   /// Whether something unmapped stands where the body turns about a point.
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
+  /// Whether something unmapped stands in a box round a pose: a switch's.
+  [[nodiscard]] bool isBoxBlocked(const BodyBox& box, const Pose& at) const;
   /// The smallest shift of the lane, at most `most_m` to either side, that is free; empty if none is.
   [[nodiscard]] std::optional<double> shiftAround(const Motion& translation, double along_m,
                                                   double most_m) const;
@@ -48,6 +49,7 @@ class Surroundings {
   [[nodiscard]] std::vector<Point> surprisesNear(Point at, double reach_m) const;
 
  private:
+  void addWhatIsBehind(const Pose& from);
   void look(const Scan& scan, const MapView& map, const Pose& from);
 
   SurroundingsSettings settings_;

@@ -59,7 +59,7 @@ std::uint8_t Window::hitsAt(Point at) const {
 }
 
 void Window::pass(Point from, Point to) {
-  constexpr double kShort_m = 2.0 * kCell_m;  // of the end: what stands there may reach nearer
+  constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
   const double range = distance(from, to) - kShort_m;
   if (!(range > 0.0)) return;
   const double share = kCell_m / distance(from, to);

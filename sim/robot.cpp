@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kStroke_m = 0.0777;  // of a whole cycle without slip (Brooks 2017, chapter 4)
 constexpr LidarSettings kWaist{};
+constexpr double kMostLook_rad = 2.08;  // NAO's HeadYaw
 
 /// A depth camera, as if its points were seen from above: nearest of all heights up to the standing body's.
 LidarSettings depthFor(const DepthSense& sense, const Robot& robot) {
@@ -84,7 +85,9 @@ const Senses& SimulatedRobot::sense() {
     senses_.scan = &scan_;
   }
   if (depth_ && !is_lying) {
-    depth_->look(truth_.pose, depth_scan_, random_);
+    const Pose& at = truth_.pose;
+    depth_->look({at.x, at.y, at.yaw + look_rad_}, depth_scan_, random_);
+    depth_scan_.beams.first_rad += look_rad_;
     depth_scan_.stamp_s = now_s();
     senses_.depth = &depth_scan_;
   }
@@ -101,6 +104,7 @@ const Senses& SimulatedRobot::sense() {
 
 void SimulatedRobot::step(const Command& command) {
   const Mode& mode = robot_->modes[truth_.mode];
+  look_rad_ = std::clamp(command.look_rad, -kMostLook_rad, kMostLook_rad);
   if (has_fallen_) {
     // It lies where it fell.
   } else if (switching_ != nullptr) {

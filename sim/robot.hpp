@@ -86,6 +86,7 @@ class SimulatedRobot {
   std::vector<Pose> past_;  // true poses, the newest last, as many as the pose is late
   std::uint64_t ticks_ = 0;
   double drift_rad_per_m_ = 0.0;
+  double look_rad_ = 0.0;
   double switch_left_s_ = 0.0;
   const Switch* switching_ = nullptr;
   double cycle_left_s_ = 0.0;
