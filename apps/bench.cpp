@@ -10,6 +10,7 @@
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "bench/geometry.hpp"
+#include "bench/local.hpp"
 #include "bench/peer_queries.hpp"
 #include "bench/planner.hpp"
 #include "bench/planners.hpp"
@@ -26,6 +27,7 @@ constexpr const char* kExamples =
     "  refusals    proofs that no plan exists: how many of the true ones are found, and how many are false\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
+    "  local       GODZILA alone, and plans executed by a simulated robot\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
     "  peers       queries on real buildings that other planners have answered\n"
     "Examples:\n"
@@ -33,6 +35,7 @@ constexpr const char* kExamples =
     "  underway bench geometry --quick\n"
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
+    "  underway bench local --quick --only pure\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
@@ -63,7 +66,7 @@ struct Belongs {
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
-      {"--quick", arguments.quick, {"geometry", "peers", "planner", "planners"}},
+      {"--quick", arguments.quick, {"geometry", "local", "peers", "planner", "planners"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
       {"--map", !arguments.map.file.empty(), {"planners"}},
@@ -71,7 +74,7 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
       {"--plots", !arguments.plots.empty(), {"planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
-      {"--only", !arguments.only.empty(), {"planner"}},
+      {"--only", !arguments.only.empty(), {"local", "planner"}},
       {"--own-s", arguments.own_s > 0.0, {"planner"}},
   };
   for (const Belongs& option : options)
@@ -154,6 +157,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   }
   const auto data = findDataFolder();
   if (!data) return tl::unexpected(data.error());
+  if (arguments.name == "local") return bench::local({*data, arguments.quick, arguments.only}, progress);
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -173,6 +177,13 @@ ExitCode run(const Arguments& arguments) {
   return deliverFigures(tableOf(*report), bench::toJson(*report), arguments.json);
 }
 
+/// Of all benchmarks that have parts.
+std::vector<std::string> parts() {
+  std::vector<std::string> names = bench::plannerParts();
+  for (std::string& name : bench::localParts()) names.push_back(std::move(name));
+  return names;
+}
+
 }  // namespace
 
 Command addBenchCommand(CLI::App& program) {
@@ -180,7 +191,7 @@ Command addBenchCommand(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
-      ->check(CLI::IsMember({"scenarios", "refusals", "geometry", "peers", "planner", "planners"}));
+      ->check(CLI::IsMember({"scenarios", "refusals", "geometry", "local", "peers", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
@@ -199,8 +210,8 @@ Command addBenchCommand(CLI::App& program) {
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
       ->type_name("DIR");
-  command.add_option("--only", arguments->only, "planner: one part of it")
-      ->check(CLI::IsMember(bench::plannerParts()));
+  command.add_option("--only", arguments->only, "local, planner: one part of it")
+      ->check(CLI::IsMember(parts()));
   command
       .add_option("--own-s", arguments->own_s,
                   "planner: help the oracle with the planner's own best after S seconds")

@@ -14,10 +14,9 @@ constexpr double kBerth_m = 0.15;  // that start and goal are left
 constexpr int kTries = 50;         // to place one thing
 
 Obstacle block(std::string id, Range x, Range y, Range z) {
-  return {std::move(id),
-          OrientedBox{{0.5 * (x.min + x.max), 0.5 * (y.min + y.max), 0.5 * (z.min + z.max)},
-                      {x.length(), y.length(), z.length()},
-                      {}}};
+  return {std::move(id), OrientedBox{{0.5 * (x.min + x.max), 0.5 * (y.min + y.max), 0.5 * (z.min + z.max)},
+                                     {x.length(), y.length(), z.length()},
+                                     {}}};
 }
 
 /// Puts things at random on a plan's way into a world that the map does not know of.
@@ -119,7 +118,8 @@ Course withUnmappedBoxes(const Course& course, const Plan& plan, const std::shar
       const Point at = intruder.onTheWay(0.4);
       const Vec3 size{intruder.between(0.1, 0.4), intruder.between(0.1, 0.4), intruder.between(0.4, 1.0)};
       const double yaw = intruder.between(0.0, std::numbers::pi);
-      if (intruder.add({{"unmapped_" + std::to_string(i), {{at.x, at.y, 0.5 * size.z}, size, {0.0, 0.0, yaw}}}}))
+      if (intruder.add(
+              {{"unmapped_" + std::to_string(i), {{at.x, at.y, 0.5 * size.z}, size, {0.0, 0.0, yaw}}}}))
         break;
     }
   return intruder.course();
@@ -133,8 +133,8 @@ Course withUnmappedTables(const Course& course, const Plan& plan, const std::sha
     for (int k = 0; k < kTries; ++k) {
       const Point at = intruder.onTheWay(0.4);
       const Range size{intruder.between(0.4, 0.9), intruder.between(0.4, 0.9)};
-      if (intruder.add(tableAt(at, intruder.between(0.0, std::numbers::pi), size, intruder.between(0.34, 0.54),
-                               "unmapped_" + std::to_string(i))))
+      if (intruder.add(tableAt(at, intruder.between(0.0, std::numbers::pi), size,
+                               intruder.between(0.34, 0.54), "unmapped_" + std::to_string(i))))
         break;
     }
   return intruder.course();
@@ -149,10 +149,12 @@ Expected<Course> narrowCourse(const Robot& robot, ModeId id) {
   double drift_m = 0.0;
   if (const Switch* down = robot.findSwitch(0, id); is_low && down != nullptr)
     if (const Switch* up = robot.findSwitch(id, 0); up != nullptr) {
-      const double crawled = down->body_m.x.max - down->displacement.x + kWall_m - up->body_m.x.min + 2.0 * robot.margin_m;
+      const double crawled =
+          down->body_m.x.max - down->displacement.x + kWall_m - up->body_m.x.min + 2.0 * robot.margin_m;
       drift_m = 2.0 * mode.drift_m_per_m * crawled;
     }
-  const double wide_m = (mode.canMove(Sense::kForward) ? mode.body_m.y : mode.body_m.x).length() + kSpare_m + drift_m;
+  const double wide_m =
+      (mode.canMove(Sense::kForward) ? mode.body_m.y : mode.body_m.x).length() + kSpare_m + drift_m;
   const Range gap{1.2 - 0.5 * wide_m, 1.2 + 0.5 * wide_m};
   std::vector<Obstacle> walls{block("below", kX, {0.0, gap.min}, {0.0, 1.0}),
                               block("above", kX, {gap.max, 3.0}, {0.0, 1.0})};

@@ -10,10 +10,10 @@ namespace underway::bench {
 [[nodiscard]] Expected<std::vector<Course>> coursesOf(const std::filesystem::path& map, const Robot& robot);
 
 /// The course with one to three boxes in its world that the map does not have. They cross the lidar's plane,
-/// stand on or near the way of a plan, and leave start, goal and the lying stretch, which a lidar at the waist
-/// cannot see, .15 m.
-[[nodiscard]] Course withUnmappedBoxes(const Course& course, const Plan& plan, const std::shared_ptr<const Robot>& robot,
-                                       std::uint64_t seed);
+/// stand on or near the way of a plan, and leave start, goal and the lying stretch, which a lidar at the
+/// waist cannot see, .15 m.
+[[nodiscard]] Course withUnmappedBoxes(const Course& course, const Plan& plan,
+                                       const std::shared_ptr<const Robot>& robot, std::uint64_t seed);
 /// The same with one or two tables whose tops a standing robot does not fit under and the lidar's plane does
 /// not meet.
 [[nodiscard]] Course withUnmappedTables(const Course& course, const Plan& plan,

@@ -10,10 +10,11 @@ constexpr double kLimit_s = 1800.0;  // simulated
 constexpr double kArrival_m = 0.05;
 constexpr double kArrival_rad = 5.0 * std::numbers::pi / 180.0;
 
-Planner::Clock::time_point patience() { return Planner::Clock::now() + std::chrono::milliseconds(500); }
+Planner::Clock::time_point patience() { return Planner::Clock::now() + std::chrono::seconds(1); }
 
 /// Whether there is no way in the true world either, from where the robot truly stands.
-bool isTrulyBlocked(const Course& course, const std::shared_ptr<const Robot>& robot, const sim::Truth& truth) {
+bool isTrulyBlocked(const Course& course, const std::shared_ptr<const Robot>& robot,
+                    const sim::Truth& truth) {
   Planner planner(course.truth, robot);
   Request request = course.request;
   request.start = truth.pose;
@@ -25,16 +26,17 @@ void judge(const Course& course, const sim::Truth& truth, LoopRun& run) {
   run.has_collided = truth.has_collided;
   if (truth.has_collided) run.why = "touched " + truth.with;
   run.off_m = distance(truth.pose.position(), course.request.goal);
-  run.off_rad = course.request.goal_yaw ? std::abs(normalizedAngle(truth.pose.yaw - *course.request.goal_yaw)) : 0.0;
+  run.off_rad =
+      course.request.goal_yaw ? std::abs(normalizedAngle(truth.pose.yaw - *course.request.goal_yaw)) : 0.0;
   run.has_arrived = run.outcome == Mission::Outcome::kArrived && run.off_m <= kArrival_m &&
                     run.off_rad <= kArrival_rad && truth.mode == course.request.goal_mode;
 }
 
 }  // namespace
 
-LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner, const std::shared_ptr<const Robot>& robot,
-                    const ExecutorSettings& settings, const sim::Flaws& flaws, std::uint64_t seed,
-                    const WatchLoop& watch) {
+LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner,
+                    const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,
+                    const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch) {
   const auto source = [&](const Request& request, const std::shared_ptr<const World>& world) {
     if (planner->checker()->world().hash() != world->hash()) planner->update(world);
     auto plan = planner->findPlan(request, patience());
@@ -45,7 +47,8 @@ LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner, con
   Mission mission(course.map, robot, course.request, source, settings);
   sim::SimulatedRobot body(course.truth, robot, course.request.start, course.request.start_mode, seed, flaws);
   LoopRun run;
-  while (run.outcome == Mission::Outcome::kUnderway && !body.truth().has_collided && body.now_s() < kLimit_s) {
+  while (run.outcome == Mission::Outcome::kUnderway && !body.truth().has_collided &&
+         body.now_s() < kLimit_s) {
     const Tick tick = mission.tick(body.sense());
     body.step(tick.command);
     run.outcome = mission.outcome();
@@ -55,7 +58,8 @@ LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner, con
   run.time_s = body.now_s();
   run.plans = mission.plans();
   judge(course, body.truth(), run);
-  if (run.outcome == Mission::Outcome::kNoWay) run.is_truly_blocked = isTrulyBlocked(course, robot, body.truth());
+  if (run.outcome == Mission::Outcome::kNoWay)
+    run.is_truly_blocked = isTrulyBlocked(course, robot, body.truth());
   return run;
 }
 

@@ -21,13 +21,13 @@ struct Course {
 
 struct LoopRun {
   Mission::Outcome outcome = Mission::Outcome::kUnderway;
-  bool has_arrived = false;  ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
+  bool has_arrived = false;       ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
   bool is_truly_blocked = false;  ///< it said so, and in the true world there is no plan from where it stands
   bool has_collided = false;
   std::string why;
-  double off_m = 0.0;    ///< from the goal, in truth
+  double off_m = 0.0;  ///< from the goal, in truth
   double off_rad = 0.0;
-  double time_s = 0.0;   ///< simulated
+  double time_s = 0.0;  ///< simulated
   int plans = 0;
 };
 

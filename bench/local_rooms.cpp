@@ -50,7 +50,8 @@ PureRoom randomGap(std::uint64_t seed) {
     arena.add({x - std::sin(tilt) * off, gap + std::cos(tilt) * off}, depth, reach, tilt);
   }
   const Pose start{arena.between(0.6, 2.2), arena.between(0.6, kWidth_m - 0.6), arena.between(-0.8, 0.8)};
-  return arena.room(start, {arena.between(kLength_m - 2.2, kLength_m - 0.6), arena.between(0.6, kWidth_m - 0.6)});
+  return arena.room(start,
+                    {arena.between(kLength_m - 2.2, kLength_m - 0.6), arena.between(0.6, kWidth_m - 0.6)});
 }
 
 PureRoom wallInFront(std::uint64_t seed) {

@@ -6,8 +6,8 @@
 namespace underway {
 namespace {
 
-constexpr int kFirst = 30;            // headings, before drift can be told from them
-constexpr double kMostDrift = 0.15;   // [rad/m]
+constexpr int kFirst = 30;           // headings, before drift can be told from them
+constexpr double kMostDrift = 0.15;  // [rad/m]
 
 }  // namespace
 

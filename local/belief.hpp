@@ -9,9 +9,9 @@
 namespace underway {
 
 struct BeliefSettings {
-  double gain = 0.08;           ///< how much of a difference to the measured position is believed
-  double heading_gain = 0.08;   ///< and to the measured heading
-  double drift_gain = 0.06;     ///< how fast the gait's heading drift is learnt while walking [1/m]
+  double gain = 0.08;          ///< how much of a difference to the measured position is believed
+  double heading_gain = 0.08;  ///< and to the measured heading
+  double drift_gain = 0.06;    ///< how fast the gait's heading drift is learnt while walking [1/m]
   double tick_s = 0.1;
 };
 

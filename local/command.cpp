@@ -34,7 +34,8 @@ Velocity limited(const Velocity& velocity, const SpeedLimits& limits) {
   const auto share = [](double speed, double most) {
     return speed == 0.0 ? 0.0 : most > 0.0 ? speed / most : std::copysign(1e9, speed);
   };
-  const double along = share(velocity.x_mps, velocity.x_mps >= 0.0 ? limits.forward_mps : limits.backward_mps);
+  const double along =
+      share(velocity.x_mps, velocity.x_mps >= 0.0 ? limits.forward_mps : limits.backward_mps);
   const double across = share(velocity.y_mps, velocity.y_mps >= 0.0 ? limits.left_mps : limits.right_mps);
   const double over = std::max(1.0, std::hypot(along, across));
   return {velocity.x_mps / over, velocity.y_mps / over,

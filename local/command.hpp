@@ -16,9 +16,10 @@ struct Velocity {
 
 /// What the local layer tells the robot each tick.
 struct Command {
-  Velocity velocity;                 ///< in the mode the robot is in; a crawl goes in whole gait cycles
+  Velocity velocity;                ///< in the mode the robot is in; a crawl goes in whole gait cycles
   std::optional<ModeId> change_to;  ///< change to this mode now; the velocity is zero then
-  double look_rad = 0.0;  ///< where the head turns to, and the depth camera with it, from the body's front [rad]
+  double look_rad =
+      0.0;  ///< where the head turns to, and the depth camera with it, from the body's front [rad]
   bool operator==(const Command&) const = default;
 };
 

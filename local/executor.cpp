@@ -42,7 +42,8 @@ Tick Executor::tick(const Senses& senses) {
   return {last_, state_};
 }
 
-// --- belief -------------------------------------------------------------------------------------------------
+// --- belief
+// -------------------------------------------------------------------------------------------------
 
 void Executor::believe(const Senses& senses) {
   if (!has_pose_ && senses.pose) belief_.set(senses.pose->pose), has_pose_ = true;
@@ -52,7 +53,8 @@ void Executor::believe(const Senses& senses) {
     crawled_ = 0;
   }
   const double tick = settings_.tick_s;
-  if (!isLow(mode_)) belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
+  if (!isLow(mode_))
+    belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
   if (senses.cycles != cycles_) {
     const auto made = static_cast<int>(senses.cycles - cycles_);
     belief_.move(made * stride_ * settings_.crawl.kept * settings_.crawl.stroke_m, 0.0, 0.0);
@@ -66,7 +68,8 @@ void Executor::believe(const Senses& senses) {
   silent_s_ = should_know && !senses.pose ? silent_s_ + tick : 0.0;
 }
 
-// --- where in the plan ----------------------------------------------------------------------------------------
+// --- where in the plan
+// ----------------------------------------------------------------------------------------
 
 const Segment* Executor::current() const {
   return segment_ < plan_.segments.size() ? &plan_.segments[segment_] : nullptr;
@@ -120,7 +123,8 @@ void Executor::watchProgress() {
   idle_s_ = 0.0;
 }
 
-// --- the situation --------------------------------------------------------------------------------------------
+// --- the situation
+// --------------------------------------------------------------------------------------------
 
 Situation Executor::situation(const Senses& senses) {
   Situation is;
@@ -198,7 +202,8 @@ bool Executor::mayCrawlOn() const {
          checker_->isFree(translate(mode_, Sense::kForward, here, settings_.crawl.stroke_m), kMargin_m);
 }
 
-// --- commands -------------------------------------------------------------------------------------------------
+// --- commands
+// -------------------------------------------------------------------------------------------------
 
 Command Executor::commandFor(const Senses& senses) {
   switch (state_) {
@@ -231,7 +236,9 @@ Velocity Executor::crawlOn() {
     const Segment* segment = current();
     if (segment == nullptr) return {};
     const double whole = settings_.crawl.stroke_m * settings_.crawl.kept;
-    const double left = next() == Next::kCrawl ? length(segment->motion) - onLane(segment->motion, belief_.pose()).along_m : whole;
+    const double left = next() == Next::kCrawl
+                            ? length(segment->motion) - onLane(segment->motion, belief_.pose()).along_m
+                            : whole;
     constexpr double kShortest = 0.25;
     stride_ = std::clamp(left / whole, kShortest, 1.0);
     is_stroke_ = true;

@@ -21,8 +21,8 @@ struct ExecutorSettings {
   CrawlSettings crawl;
   SurroundingsSettings surroundings;
   double tick_s = 0.1;
-  int settled_fixes = 20;      ///< fixes of localisation in a row that it moves after
-  double lost_after_s = 1.0;   ///< standing without localisation
+  int settled_fixes = 20;       ///< fixes of localisation in a row that it moves after
+  double lost_after_s = 1.0;    ///< standing without localisation
   double stuck_after_s = 15.0;  ///< no progress along the plan while walking is a blocked segment
 };
 
@@ -55,7 +55,8 @@ class Executor {
   [[nodiscard]] ModeId mode() const { return mode_; }
   [[nodiscard]] std::size_t segment() const { return segment_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  /// Middles of the cells, Window::kCell_m wide, in which it saw something the map does not have, near the robot.
+  /// Middles of the cells, Window::kCell_m wide, in which it saw something the map does not have, near the
+  /// robot.
   [[nodiscard]] std::vector<Point> surprises() const;
 
  private:
@@ -93,7 +94,7 @@ class Executor {
   ModeId mode_ = 0;
   bool has_pose_ = false;
   Command last_;
-  double shift_m_ = 0.0;        // of the lane, round something in the way
+  double shift_m_ = 0.0;  // of the lane, round something in the way
   int aligned_ticks_ = 0;
   double silent_s_ = 0.0;       // standing, without localisation
   double idle_s_ = 0.0;         // since the last progress

@@ -47,7 +47,8 @@ Velocity Follow::along(const Segment& segment, const Pose& at, const Scan* scan,
   turned_rad_ += normalizedAngle(at.yaw - last_yaw_);
   last_yaw_ = at.yaw;
   const Motion& motion = segment.motion;
-  if (motion.kind == MotionKind::kTurn) return turnOn(motion, at, errorOf({}, segment.closeness.clearance_m).tolerance_m);
+  if (motion.kind == MotionKind::kTurn)
+    return turnOn(motion, at, errorOf({}, segment.closeness.clearance_m).tolerance_m);
   const OnLane lane = onLane(motion, at);
   const double left = length(motion) - lane.along_m;
   const bool has_room = std::abs(lane.left_m) < allowance(segment);
@@ -92,7 +93,8 @@ Velocity Follow::byGodzila(const Segment& segment, const Pose& at, const Scan& s
 bool Follow::isDone(const Segment& segment, const Pose& at) const {
   const Motion& motion = segment.motion;
   const LaneError error = errorOf({}, segment.closeness.clearance_m);
-  if (motion.kind == MotionKind::kTurn) return std::abs(motion.angle_rad - turned_rad_) < settings_.reached_rad;
+  if (motion.kind == MotionKind::kTurn)
+    return std::abs(motion.angle_rad - turned_rad_) < settings_.reached_rad;
   const OnLane lane = onLane(motion, at);
   return lane.along_m > length(motion) - settings_.reached_m && std::abs(lane.left_m) < error.tolerance_m &&
          std::abs(lane.turned_rad) < error.tolerance_rad;

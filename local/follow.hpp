@@ -15,12 +15,12 @@ namespace underway {
 struct FollowSettings {
   GodzilaSettings godzila;
   HoldSettings hold;
-  double roomy_m = 0.25;       ///< with this much clearance GODZILA drives; with less, the plan [m]
-  double ahead_m = 0.6;        ///< the intermediate goal is so far ahead along the plan [m]
-  double slow_share = 0.6;     ///< of the mode's speed, on the plan's authority
-  double ending_m = 0.35;      ///< before a segment's end it goes exactly [m]
-  double reached_m = 0.006;    ///< a translation's end [m]
-  double reached_rad = 0.01;   ///< a turn's end [rad]
+  double roomy_m = 0.25;      ///< with this much clearance GODZILA drives; with less, the plan [m]
+  double ahead_m = 0.6;       ///< the intermediate goal is so far ahead along the plan [m]
+  double slow_share = 0.6;    ///< of the mode's speed, on the plan's authority
+  double ending_m = 0.35;     ///< before a segment's end it goes exactly [m]
+  double reached_m = 0.006;   ///< a translation's end [m]
+  double reached_rad = 0.01;  ///< a turn's end [rad]
 };
 
 /// Goes along the standing segments of a plan: translations and turns.

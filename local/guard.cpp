@@ -65,9 +65,8 @@ Velocity Guard::allowed(const Velocity& wanted) const {
   const auto scaled = [&](double way, double turn) {
     return Velocity{way * wanted.x_mps, way * wanted.y_mps, turn * wanted.turn_radps};
   };
-  for (const Velocity& candidate :
-       {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2), scaled(0.0, 1.0),
-        scaled(0.0, 0.3), scaled(0.3, 0.0)})
+  for (const Velocity& candidate : {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2),
+                                    scaled(0.0, 1.0), scaled(0.0, 0.3), scaled(0.3, 0.0)})
     if (distanceAfter(candidate, settings_.horizon_s) >= needed) return candidate;
   return {};
 }

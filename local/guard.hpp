@@ -11,8 +11,8 @@
 namespace underway {
 
 struct GuardSettings {
-  double margin_m = 0.04;   ///< kept between body and what was seen [m]
-  double horizon_s = 1.0;   ///< how far ahead a velocity is looked at [s]
+  double margin_m = 0.04;    ///< kept between body and what was seen [m]
+  double horizon_s = 1.0;    ///< how far ahead a velocity is looked at [s]
   std::size_t outliers = 0;  ///< so many points may be nearer, kMostOutliers at most
 };
 

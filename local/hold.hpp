@@ -18,7 +18,7 @@ struct HoldSettings {
 struct LaneError {
   double left_m = 0.0;
   double turned_rad = 0.0;
-  double tolerance_m = 0.01;     ///< beyond three of these it stops going on
+  double tolerance_m = 0.01;  ///< beyond three of these it stops going on
   double tolerance_rad = 0.02;
 };
 [[nodiscard]] Velocity alongLane(double direction_rad, double speed_mps, const LaneError& error,

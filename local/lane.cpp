@@ -15,7 +15,8 @@ OnLane onLane(const Motion& translation, const Pose& at) {
 
 Point pointAlong(const Motion& translation, double along_m) {
   const double direction = translation.from.yaw + angleOf(translation.sense);
-  return {translation.from.x + along_m * std::cos(direction), translation.from.y + along_m * std::sin(direction)};
+  return {translation.from.x + along_m * std::cos(direction),
+          translation.from.y + along_m * std::sin(direction)};
 }
 
 }  // namespace underway

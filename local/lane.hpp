@@ -8,8 +8,8 @@ namespace underway {
 /// Where a pose is beside a translation: how far along, how far to its left, how much turned from its
 /// heading.
 struct OnLane {
-  double along_m = 0.0;   ///< from the translation's beginning, in its direction
-  double left_m = 0.0;    ///< across its direction
+  double along_m = 0.0;     ///< from the translation's beginning, in its direction
+  double left_m = 0.0;      ///< across its direction
   double turned_rad = 0.0;  ///< from its heading
 };
 [[nodiscard]] OnLane onLane(const Motion& translation, const Pose& at);

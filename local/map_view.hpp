@@ -25,8 +25,7 @@ class MapView {
 
   MapView() = default;
   /// `heights` above the floor; `round_m` is how far round the plan it is told.
-  MapView(const World& world, Range heights, const Plan& plan, const Tolerance& tolerance,
-          double round_m);
+  MapView(const World& world, Range heights, const Plan& plan, const Tolerance& tolerance, double round_m);
 
   /// Whether something that was seen here, from so far away, is in the map. Outside what is told everything
   /// is.

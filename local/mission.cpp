@@ -6,10 +6,10 @@
 namespace underway {
 namespace {
 
-constexpr int kMostRefusals = 3;    // of plans, with a fresh look between them
+constexpr int kMostRefusals = 3;  // of plans, with a fresh look between them
 constexpr double kLookAgain_s = 2.0;
-constexpr double kAskAgain_s = 1.0;    // a server that is gone
-constexpr double kMostLost_s = 30.0;   // standing still without localisation
+constexpr double kAskAgain_s = 1.0;   // a server that is gone
+constexpr double kMostLost_s = 30.0;  // standing still without localisation
 
 /// A cell in which something was seen, as an obstacle as high as the robot, a little grown for the noise.
 Obstacle obstacleAt(Point cell, const World& world, const Robot& robot) {
@@ -78,9 +78,20 @@ void Mission::ask(const Senses& senses) {
   if (!plan) return refused(plan.error(), senses.now_s);
   ++plans_;
   refusals_ = 0;
-  outcome_ = Outcome::kUnderway;
-  why_.clear();
+  countInPlace();
+  if (outcome_ == Outcome::kNoWay) return;
   executor_.follow(std::move(*plan), world_, *map_);
+}
+
+/// Plans that do not get it away are no way either.
+void Mission::countInPlace() {
+  constexpr int kMost = 8;
+  constexpr double kAway_m = 0.1;
+  const Point here = executor_.pose().position();
+  in_place_ = distance(here, asked_at_) < kAway_m ? in_place_ + 1 : 0;
+  if (in_place_ == 0) asked_at_ = here;
+  outcome_ = in_place_ >= kMost ? Outcome::kNoWay : Outcome::kUnderway;
+  why_ = in_place_ >= kMost ? "none of the last plans could be followed away from here" : "";
 }
 
 Expected<Plan> Mission::planFromHere() {

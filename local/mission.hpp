@@ -12,8 +12,8 @@ namespace underway {
 /// robot knows it; errors as of Planner::plan, kNoServer when nobody answers.
 using PlanSource = std::function<Expected<Plan>(const Request&, const std::shared_ptr<const World>&)>;
 
-/// Brings a robot to a goal: asks for a plan, has it executed, and when the world disagrees puts what was seen
-/// into the world and asks again, from where the robot is.
+/// Brings a robot to a goal: asks for a plan, has it executed, and when the world disagrees puts what was
+/// seen into the world and asks again, from where the robot is.
 class Mission {
  public:
   Mission(std::shared_ptr<const World> map, std::shared_ptr<const Robot> robot, Request request,
@@ -38,7 +38,9 @@ class Mission {
  private:
   void ask(const Senses& senses);
   [[nodiscard]] Expected<Plan> planFromHere();
-  [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const std::shared_ptr<const World>& base) const;
+  [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(
+      const std::shared_ptr<const World>& base) const;
+  void countInPlace();
   void refused(const Error& error, double now_s);
 
   std::shared_ptr<const World> map_;
@@ -51,6 +53,8 @@ class Mission {
   std::string why_;
   int plans_ = 0;
   int refusals_ = 0;
+  int in_place_ = 0;  // plans asked for from one place
+  Point asked_at_;
   double again_s_ = 0.0;  // when to ask again
   double lost_s_ = 0.0;
 };

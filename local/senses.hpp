@@ -19,13 +19,13 @@ struct PoseEstimate {
 /// sense tells nothing now: lying, a lidar at the waist sees nothing, and nothing is localised by it.
 struct Senses {
   double now_s = 0.0;
-  const Scan* scan = nullptr;             ///< the planar lidar
-  const Scan* depth = nullptr;            ///< nearest of all heights up to the standing body's top
-  std::optional<PoseEstimate> pose;       ///< localisation
-  std::optional<double> heading_rad;      ///< inertial, in the map frame; also while lying
-  ModeId mode = 0;                        ///< the gait's own word
-  bool is_switching = false;              ///< between two modes
-  std::uint64_t cycles = 0;               ///< crawl cycles that the joints have completed since the start
+  const Scan* scan = nullptr;         ///< the planar lidar
+  const Scan* depth = nullptr;        ///< nearest of all heights up to the standing body's top
+  std::optional<PoseEstimate> pose;   ///< localisation
+  std::optional<double> heading_rad;  ///< inertial, in the map frame; also while lying
+  ModeId mode = 0;                    ///< the gait's own word
+  bool is_switching = false;          ///< between two modes
+  std::uint64_t cycles = 0;           ///< crawl cycles that the joints have completed since the start
   bool has_fallen = false;
 };
 

@@ -45,6 +45,7 @@ void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.depth)
     depth_map_ = MapView(map, {0.02, robot_->modes.front().body_m.z.max}, plan, toleranceOf(settings_),
                          settings_.round_m);
+  window_.markKnown();
 }
 
 void Surroundings::see(const Senses& senses, const Pose& from) {
@@ -64,7 +65,7 @@ void Surroundings::addWhatIsBehind(const Pose& from) {
   constexpr double kReach_m = 0.5;
   const double seen_rad = -Beams{}.first_rad;
   const Pose back = before({0.0, 0.0, 0.0}, from);
-  window_.visitOccupied(from.position(), kReach_m, [&](Point cell) {
+  window_.visitOccupied(from.position(), kReach_m, [&](Point cell, bool) {
     const Point local = transform({back.x, back.y, -from.yaw}, cell);
     if (std::abs(std::atan2(local.y, local.x)) > seen_rad) against_unmapped_.add(local);
   });
@@ -82,7 +83,8 @@ void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) 
     if (range >= settings_.believed_m || map.isExpected(end, range)) continue;
     window_.hit(end);
     if (range < kGuarded_m)
-      against_unmapped_.add({range * std::cos(scan.beams.bearing(i)), range * std::sin(scan.beams.bearing(i))});
+      against_unmapped_.add(
+          {range * std::cos(scan.beams.bearing(i)), range * std::sin(scan.beams.bearing(i))});
   }
 }
 
@@ -96,18 +98,21 @@ bool Surroundings::isLaneBlocked(const Motion& translation, double along_m, doub
   const double last = std::min(along_m + settings_.ahead_m, length(translation)) + reach;
   const Point middle = pointAlong(translation, 0.5 * (along_m + last));
   bool is_blocked = false;
-  window_.visitOccupied(middle, 0.5 * (last - along_m) + 2.0 * half + std::abs(shift_m), [&](Point cell) {
-    const OnLane at = onLane(translation, {cell.x, cell.y, 0.0});
-    is_blocked |= std::abs(at.left_m - shift_m) < half && at.along_m > along_m && at.along_m < last;
-  });
+  window_.visitOccupied(
+      middle, 0.5 * (last - along_m) + 2.0 * half + std::abs(shift_m), [&](Point cell, bool is_known) {
+        if (is_known) return;
+        const OnLane at = onLane(translation, {cell.x, cell.y, 0.0});
+        is_blocked |= std::abs(at.left_m - shift_m) < half && at.along_m > along_m && at.along_m < last;
+      });
   return is_blocked;
 }
 
 bool Surroundings::isTurnBlocked(const Pose& at) const {
   const double reach = reachOf(robot_->modes.front().body_m);
   bool is_blocked = false;
-  window_.visitOccupied(at.position(), reach + Window::kCell_m,
-                        [&](Point cell) { is_blocked |= distance(cell, at.position()) < reach; });
+  window_.visitOccupied(at.position(), reach + Window::kCell_m, [&](Point cell, bool is_known) {
+    is_blocked |= !is_known && distance(cell, at.position()) < reach;
+  });
   return is_blocked;
 }
 
@@ -116,7 +121,8 @@ bool Surroundings::isBoxBlocked(const BodyBox& box, const Pose& at) const {
   const Range x = box.x.grown(settings_.lane_margin_m);
   const Range y = box.y.grown(settings_.lane_margin_m);
   bool is_blocked = false;
-  window_.visitOccupied(at.position(), reachOf(box) + Window::kCell_m, [&](Point cell) {
+  window_.visitOccupied(at.position(), reachOf(box) + Window::kCell_m, [&](Point cell, bool is_known) {
+    if (is_known) return;
     const Point local = transform({back.x, back.y, -at.yaw}, cell);
     is_blocked |= local.x > x.min && local.x < x.max && local.y > y.min && local.y < y.max;
   });
@@ -139,7 +145,7 @@ Velocity Surroundings::guarded(const Velocity& wanted) const {
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {
   std::vector<Point> cells;
-  window_.visitOccupied(at, reach_m, [&](Point cell) { cells.push_back(cell); });
+  window_.visitOccupied(at, reach_m, [&](Point cell, bool) { cells.push_back(cell); });
   return cells;
 }
 

@@ -15,11 +15,11 @@
 namespace underway {
 
 struct SurroundingsSettings {
-  double round_m = 2.5;        ///< how far round the plan the map is looked at [m]
-  double believed_m = 2.5;     ///< what is seen further away is not sure enough to act upon [m]
+  double round_m = 2.5;          ///< how far round the plan the map is looked at [m]
+  double believed_m = 2.5;       ///< what is seen further away is not sure enough to act upon [m]
   double sensor_sigma_m = 0.01;  ///< of what is near [m]
-  double ahead_m = 1.0;        ///< how far ahead the lane has to be free of what is unmapped [m]
-  double lane_margin_m = 0.03;  ///< to either side of the body [m]
+  double ahead_m = 1.0;          ///< how far ahead the lane has to be free of what is unmapped [m]
+  double lane_margin_m = 0.03;   ///< to either side of the body [m]
 };
 
 /// What the robot sees that the map does not have, and what it must not run into.
@@ -27,12 +27,14 @@ class Surroundings {
  public:
   Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
 
-  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept.
+  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept, and known
+  /// to whoever made the plan: it blocks nothing from now on, but the guard still keeps off it.
   void expect(const World& map, const Plan& plan);
   /// What the senses tell, seen from a believed pose.
   void see(const Senses& senses, const Pose& from);
 
-  /// Whether something unmapped stands in the lane of a translation, from so far along it, shifted to the left.
+  /// Whether something unmapped stands in the lane of a translation, from so far along it, shifted to the
+  /// left.
   [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m, double shift_m = 0.0) const;
   /// Whether something unmapped stands where the body turns about a point.
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;

@@ -11,20 +11,21 @@ std::size_t wrapped(std::int64_t at) { return static_cast<std::size_t>(((at % kW
 
 }  // namespace
 
-Window::Cell Window::cellOf(Point at) {
+Window::Place Window::placeOf(Point at) {
   return {static_cast<std::int64_t>(std::floor(at.x / kCell_m)),
           static_cast<std::int64_t>(std::floor(at.y / kCell_m))};
 }
 
-bool Window::isInside(Cell cell) const {
-  return cell.x >= corner_.x && cell.y >= corner_.y && cell.x < corner_.x + kWide && cell.y < corner_.y + kWide;
+bool Window::isInside(Place place) const {
+  return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
+         place.y < corner_.y + kWide;
 }
 
-std::size_t Window::indexOf(Cell cell) { return wrapped(cell.y) * kCells + wrapped(cell.x); }
+std::size_t Window::indexOf(Place place) { return wrapped(place.y) * kCells + wrapped(place.x); }
 
 void Window::slideTo(Point at) {
-  const Cell middle = cellOf(at);
-  const Cell corner{middle.x - kWide / 2, middle.y - kWide / 2};
+  const Place middle = placeOf(at);
+  const Place corner{middle.x - kWide / 2, middle.y - kWide / 2};
   if (std::abs(corner.x - corner_.x) >= kWide || std::abs(corner.y - corner_.y) >= kWide) {
     clear();
     corner_ = corner;
@@ -38,24 +39,27 @@ void Window::slideTo(Point at) {
 }
 
 void Window::forgetColumn(std::int64_t x) {
-  for (std::size_t row = 0; row < kCells; ++row) hits_[row * kCells + wrapped(x)] = 0;
+  for (std::size_t row = 0; row < kCells; ++row) cells_[row * kCells + wrapped(x)] = {};
 }
 
 void Window::forgetRow(std::int64_t y) {
-  std::fill_n(hits_.begin() + static_cast<std::ptrdiff_t>(wrapped(y) * kCells), kCells, std::uint8_t{0});
+  std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(wrapped(y) * kCells), kCells, Cell{});
 }
 
 void Window::hit(Point at) {
-  constexpr std::uint8_t kMost = 2 * kSure;
-  const Cell cell = cellOf(at);
-  if (!isInside(cell)) return;
-  std::uint8_t& hits = hits_[indexOf(cell)];
-  if (hits < kMost) ++hits;
+  const Place place = placeOf(at);
+  if (!isInside(place)) return;
+  Cell& cell = cells_[indexOf(place)];
+  if (cell.hits < kMost) ++cell.hits;
 }
 
-std::uint8_t Window::hitsAt(Point at) const {
-  const Cell cell = cellOf(at);
-  return isInside(cell) ? hits_[indexOf(cell)] : std::uint8_t{0};
+bool Window::isOccupied(Point at) const {
+  const Place place = placeOf(at);
+  return isInside(place) && cells_[indexOf(place)].hits >= kSure;
+}
+
+void Window::markKnown() {
+  for (Cell& cell : cells_) cell.is_known = cell.hits >= kSure;
 }
 
 void Window::pass(Point from, Point to) {
@@ -64,10 +68,10 @@ void Window::pass(Point from, Point to) {
   if (!(range > 0.0)) return;
   const double share = kCell_m / distance(from, to);
   for (double t = 0.0; t * distance(from, to) < range; t += share) {
-    const Cell cell = cellOf({std::lerp(from.x, to.x, t), std::lerp(from.y, to.y, t)});
-    if (!isInside(cell)) return;
-    std::uint8_t& hits = hits_[indexOf(cell)];
-    if (hits > 0) --hits;
+    const Place place = placeOf({std::lerp(from.x, to.x, t), std::lerp(from.y, to.y, t)});
+    if (!isInside(place)) return;
+    Cell& cell = cells_[indexOf(place)];
+    if (cell.hits > 0) --cell.hits;
   }
 }
 

@@ -10,17 +10,18 @@
 
 namespace underway {
 
-/// A grid of what was seen lately, that slides along with the robot: 6.4 x 6.4 m in cells of 5 cm. What slides
-/// out is forgotten. A cell remembers how often something was seen in it; beams that pass through it take
-/// that back. Every tick a part of the beams is looked at for that, so time is bounded; allocates only when
-/// made. Points are in any one frame that stands still: the map's, or that of dead reckoning.
+/// A grid of what was seen lately, that slides along with the robot: 6.4 x 6.4 m in cells of 5 cm. What
+/// slides out is forgotten. A cell remembers how often something was seen in it; beams that pass through it
+/// take that back. Every tick a part of the beams is looked at for that, so time is bounded; allocates only
+/// when made. Points are in any one frame that stands still: the map's, or that of dead reckoning.
 class Window {
  public:
   static constexpr std::size_t kCells = 128;
   static constexpr double kCell_m = 0.05;
   static constexpr std::uint8_t kSure = 3;  ///< seen so often, something stands there
+  static constexpr std::uint8_t kMost = 6;  ///< more is not counted
 
-  Window() : hits_(kCells * kCells, 0) {}
+  Window() : cells_(kCells * kCells) {}
 
   /// Moves along with the robot: it is in the middle, but for a cell.
   void slideTo(Point at);
@@ -29,37 +30,43 @@ class Window {
   /// Nothing stands between two points, but near the second: the cells between them are seen less.
   void pass(Point from, Point to);
   /// Whether something stands in the cell of a point.
-  [[nodiscard]] bool isOccupied(Point at) const { return hitsAt(at) >= kSure; }
-  [[nodiscard]] std::uint8_t hitsAt(Point at) const;
-  void clear() { std::fill(hits_.begin(), hits_.end(), std::uint8_t{0}); }
+  [[nodiscard]] bool isOccupied(Point at) const;
+  /// From now on the occupied cells are known: whoever plans has been told of them.
+  void markKnown();
+  void clear() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
 
-  /// Calls `visit(middle)` for each occupied cell within a distance of a point along both axes.
+  /// Calls `visit(middle, is_known)` for each occupied cell within a distance of a point along both axes.
   template <class Visit>
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
 
  private:
-  struct Cell {
+  struct Place {
     std::int64_t x;
     std::int64_t y;
   };
-  [[nodiscard]] static Cell cellOf(Point at);
-  [[nodiscard]] bool isInside(Cell cell) const;
-  [[nodiscard]] static std::size_t indexOf(Cell cell);
+  struct Cell {
+    std::uint8_t hits = 0;
+    bool is_known = false;
+  };
+  [[nodiscard]] static Place placeOf(Point at);
+  [[nodiscard]] bool isInside(Place place) const;
+  [[nodiscard]] static std::size_t indexOf(Place place);
   void forgetColumn(std::int64_t x);
   void forgetRow(std::int64_t y);
 
-  std::vector<std::uint8_t> hits_;  // a torus: a cell's place is its coordinates modulo kCells
-  Cell corner_{-static_cast<std::int64_t>(kCells) / 2, -static_cast<std::int64_t>(kCells) / 2};
+  std::vector<Cell> cells_;  // a torus: a cell's index is its place modulo kCells
+  Place corner_{-static_cast<std::int64_t>(kCells) / 2, -static_cast<std::int64_t>(kCells) / 2};
 };
 
 template <class Visit>
 void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
-  const Cell low = cellOf({round.x - reach_m, round.y - reach_m});
-  const Cell high = cellOf({round.x + reach_m, round.y + reach_m});
+  const Place low = placeOf({round.x - reach_m, round.y - reach_m});
+  const Place high = placeOf({round.x + reach_m, round.y + reach_m});
   for (std::int64_t y = low.y; y <= high.y; ++y)
     for (std::int64_t x = low.x; x <= high.x; ++x)
-      if (isInside({x, y}) && hits_[indexOf({x, y})] >= kSure)
-        visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m});
+      if (const Cell cell = isInside({x, y}) ? cells_[indexOf({x, y})] : Cell{}; cell.hits >= kSure)
+        visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m},
+              cell.is_known);
 }
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that

@@ -15,11 +15,11 @@ namespace underway::sim {
 /// `nearest_m` are told as nothing.
 struct LidarSettings {
   Beams beams;
-  Range heights_m{0.30, 0.30};   ///< above the floor: one plane; a depth camera sees a slab, as if from above
-  double nearest_m = 0.02;       ///< [m]
-  double farthest_m = 5.6;       ///< [m]
-  double sigma_m = 0.010;        ///< of ranges below 1 m [m]
-  double sigma_share = 0.01;     ///< of ranges above 1 m
+  Range heights_m{0.30, 0.30};  ///< above the floor: one plane; a depth camera sees a slab, as if from above
+  double nearest_m = 0.02;      ///< [m]
+  double farthest_m = 5.6;      ///< [m]
+  double sigma_m = 0.010;       ///< of ranges below 1 m [m]
+  double sigma_share = 0.01;    ///< of ranges above 1 m
 };
 
 /// A simulated lidar in the true world. It sees what crosses its heights and nothing else: a table top above

@@ -96,9 +96,10 @@ const Senses& SimulatedRobot::sense() {
   senses_.heading_rad = normalizedAngle(truth_.pose.yaw + heading_noise);
   // Localisation needs a lidar that sees.
   if (lidar && !is_lost_ && switching_ == nullptr && !has_fallen_)
-    senses_.pose = {now_s() - kTick_s * flaws_.late_ticks,
-                    {then.x + flaws_.pose_sigma_m * unit(random_), then.y + flaws_.pose_sigma_m * unit(random_),
-                     normalizedAngle(then.yaw + flaws_.pose_sigma_rad * unit(random_))}};
+    senses_.pose = {
+        now_s() - kTick_s * flaws_.late_ticks,
+        {then.x + flaws_.pose_sigma_m * unit(random_), then.y + flaws_.pose_sigma_m * unit(random_),
+         normalizedAngle(then.yaw + flaws_.pose_sigma_rad * unit(random_))}};
   return senses_;
 }
 
@@ -169,9 +170,9 @@ void SimulatedRobot::move(double x_m, double y_m, double turn_rad) {
     truth_.moved_m += length(motion);
     truth_.pose = motion.to;
   };
-  if (turn_rad != 0.0)
-    go(turn(mode, truth_.pose, turn_rad, normalizedAngle(truth_.pose.yaw + turn_rad)));
-  if (x_m != 0.0) go(translate(mode, x_m > 0.0 ? Sense::kForward : Sense::kBackward, truth_.pose, std::abs(x_m)));
+  if (turn_rad != 0.0) go(turn(mode, truth_.pose, turn_rad, normalizedAngle(truth_.pose.yaw + turn_rad)));
+  if (x_m != 0.0)
+    go(translate(mode, x_m > 0.0 ? Sense::kForward : Sense::kBackward, truth_.pose, std::abs(x_m)));
   if (y_m != 0.0) go(translate(mode, y_m > 0.0 ? Sense::kLeft : Sense::kRight, truth_.pose, std::abs(y_m)));
 }
 

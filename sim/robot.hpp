@@ -16,14 +16,14 @@ namespace underway::sim {
 
 /// How a real robot falls short of its commands and its sensors of the truth.
 struct Flaws {
-  double pose_sigma_m = 0.015;              ///< of the pose that is told, each axis [m]
-  double pose_sigma_rad = 0.01745;          ///< [rad]
-  int late_ticks = 1;                       ///< how old the pose is
-  double stroke_lost = 0.13;                ///< share of a crawl's stroke that slips, mean
-  double stroke_sigma = 0.05;               ///< of each cycle's share
-  double drift_rad_per_m = 0.0349;          ///< heading drift while moving, mean of its size; either side
-  double drift_sigma_rad_per_m = 0.01745;   ///< of its size, from run to run
-  double lidar_scale = 1.0;                 ///< times the lidar's sigma
+  double pose_sigma_m = 0.015;             ///< of the pose that is told, each axis [m]
+  double pose_sigma_rad = 0.01745;         ///< [rad]
+  int late_ticks = 1;                      ///< how old the pose is
+  double stroke_lost = 0.13;               ///< share of a crawl's stroke that slips, mean
+  double stroke_sigma = 0.05;              ///< of each cycle's share
+  double drift_rad_per_m = 0.0349;         ///< heading drift while moving, mean of its size; either side
+  double drift_sigma_rad_per_m = 0.01745;  ///< of its size, from run to run
+  double lidar_scale = 1.0;                ///< times the lidar's sigma
 
   /// All noise times a factor; the mean of the lost stroke is no noise and stays.
   [[nodiscard]] Flaws times(double factor) const;

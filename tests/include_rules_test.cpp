@@ -21,8 +21,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
-    {"bench", {"geometry", "planner"}},
-    {"apps", {"geometry", "planner", "server", "bench"}},
+    {"local", {"geometry", "planner"}},
+    {"sim", {"geometry", "local"}},
+    {"bench", {"geometry", "planner", "local", "sim"}},
+    {"apps", {"geometry", "planner", "local", "sim", "server", "bench"}},
 };
 
 /// The only folder whose sources and headers may include a third party's headers.

@@ -18,8 +18,8 @@ struct EscapeSettings {
 };
 
 /// GODZILA's escape strategy (Brooks 2017, 3.3.3): in a trap the goal is replaced by a random one, somewhere
-/// that the scan says is free, for some time; then the goal is restored. The n-th trap is answered by n random
-/// goals, one after the other. Deterministic by seed; allocates nothing.
+/// that the scan says is free, for some time; then the goal is restored. The n-th trap is answered by n
+/// random goals, one after the other. Deterministic by seed; allocates nothing.
 class Escape {
  public:
   Escape(const EscapeSettings& settings, std::uint64_t seed) : settings_(settings), random_(seed) {}

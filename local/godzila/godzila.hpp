@@ -58,7 +58,7 @@ class Godzila {
   Escape escape_;
   Guard guard_;
   VirtualObstacles virtual_;
-  Scan seen_;  // the scan with virtual obstacles
+  Scan seen_;      // the scan with virtual obstacles
   Pose reckoned_;  // by its own velocities, from where it began
   double now_s_ = 0.0;
 };

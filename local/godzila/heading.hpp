@@ -10,7 +10,7 @@ namespace underway {
 
 /// A goal as GODZILA sees it, from the body frame.
 struct Bearing {
-  double range_m = 0.0;    ///< r_g
+  double range_m = 0.0;      ///< r_g
   double bearing_rad = 0.0;  ///< alpha_g, counter-clockwise from the body's front
 };
 /// Where a point of the map frame is, seen from a pose.
@@ -40,10 +40,10 @@ class HeadingOptimum {
   HeadingOptimum(const GodzilaSettings& settings, const Beams& beams);
 
   struct Result {
-    Point alpha;                 ///< (3.13), in the body frame
-    double heading_rad = 0.0;    ///< (3.12), from the body's front; `facing_rad` if alpha is 0
-    double nearest_m = 0.0;      ///< min R
-    double nearest_rad = 0.0;    ///< its bearing
+    Point alpha;               ///< (3.13), in the body frame
+    double heading_rad = 0.0;  ///< (3.12), from the body's front; `facing_rad` if alpha is 0
+    double nearest_m = 0.0;    ///< min R
+    double nearest_rad = 0.0;  ///< its bearing
   };
   /// Bounded time, allocates nothing. `scan` has the beams this was made for.
   [[nodiscard]] Result of(const Scan& scan, const Bearing& goal, double facing_rad = 0.0) const;
