@@ -93,7 +93,7 @@ void Executor::beginSegment() {
   idle_s_ = 0.0;
   shift_m_ = 0.0;
   if (const Segment* segment = current()) {
-    follow_.begin(*segment, belief_.pose());
+    follow_.begin(*segment, belief_.pose(), *checker_);
     if (next() == Next::kDown) passage_ = passageFrom(plan_, *robot_, segment_);
   }
 }
@@ -151,7 +151,7 @@ bool Executor::isBlocked() {
   if (motion.kind == MotionKind::kSwitch) return isPassageBlocked();
   if (isLow(motion.mode)) return false;
   const double along = onLane(motion, belief_.pose()).along_m;
-  const auto shift = surroundings_.shiftAround(motion, along, follow_.allowance(*segment));
+  const auto shift = surroundings_.shiftAround(motion, along, follow_.allowance());
   shift_m_ = shift.value_or(0.0);
   return !shift;
 }

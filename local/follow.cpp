@@ -23,19 +23,26 @@ Follow::Follow(const FollowSettings& settings, std::shared_ptr<const Robot> robo
       limits_(standingLimits(*robot_)),
       optimum_(settings.godzila, beams) {}
 
-void Follow::begin(const Segment& segment, const Pose& at) {
+void Follow::begin(const Segment& segment, const Pose& at, const Checker& checker) {
+  allowance_m_ = allowanceOn(segment, checker);
   turned_rad_ = normalizedAngle(at.yaw - segment.motion.from.yaw);
   last_yaw_ = at.yaw;
 }
 
-double Follow::allowance(const Segment& segment) const {
-  const BodyBox& body = robot_->modes[segment.motion.mode].body_m;
-  const bool along_x = segment.motion.sense == Sense::kForward || segment.motion.sense == Sense::kBackward;
-  const double half = 0.5 * (along_x ? body.y : body.x).length();
+/// The clearance, less what the turned body needs, and inside the bounds, which are nobody's clearance.
+double Follow::allowanceOn(const Segment& segment, const Checker& checker) const {
+  const Motion& motion = segment.motion;
+  if (motion.kind != MotionKind::kTranslate || segment.closeness.clearance_m < settings_.roomy_m) return 0.0;
+  const BodyBox& body = robot_->modes[motion.mode].body_m;
+  const bool along_x = motion.sense == Sense::kForward || motion.sense == Sense::kBackward;
+  const double turned = reachOf(body) - 0.5 * (along_x ? body.y : body.x).length();
   constexpr double kSpare_m = 0.05;
-  const double clearance = segment.closeness.clearance_m;
-  if (segment.motion.kind != MotionKind::kTranslate || clearance < settings_.roomy_m) return 0.0;
-  return std::max(clearance - (reachOf(body) - half) - kSpare_m, 0.0);
+  constexpr double kStep_m = 0.05;
+  for (double allowed = segment.closeness.clearance_m - turned - kSpare_m; allowed > 0.0; allowed -= kStep_m)
+    if (checker.isInBounds(shifted(motion, allowed + turned)) &&
+        checker.isInBounds(shifted(motion, -allowed - turned)))
+      return allowed;
+  return 0.0;
 }
 
 double Follow::progress(const Segment& segment, const Pose& at) const {
@@ -51,7 +58,7 @@ Velocity Follow::along(const Segment& segment, const Pose& at, const Scan* scan,
     return turnOn(motion, at, errorOf({}, segment.closeness.clearance_m).tolerance_m);
   const OnLane lane = onLane(motion, at);
   const double left = length(motion) - lane.along_m;
-  const bool has_room = std::abs(lane.left_m) < allowance(segment);
+  const bool has_room = std::abs(lane.left_m) < allowance_m_;
   if (scan != nullptr && has_room && (left > settings_.ending_m || shift_m != 0.0))
     return byGodzila(segment, at, *scan, shift_m);
   return byPlan(segment, at);
@@ -82,9 +89,7 @@ Velocity Follow::byPlan(const Segment& segment, const Pose& at) const {
 Velocity Follow::byGodzila(const Segment& segment, const Pose& at, const Scan& scan, double shift_m) const {
   const Motion& motion = segment.motion;
   const double ahead = std::min(onLane(motion, at).along_m + settings_.ahead_m, length(motion));
-  const double across = motion.from.yaw + angleOf(motion.sense) + 0.5 * std::numbers::pi;
-  const Point on = pointAlong(motion, ahead);
-  const Point goal{on.x + shift_m * std::cos(across), on.y + shift_m * std::sin(across)};
+  const Point goal = pointAlong(shifted(motion, shift_m), ahead);
   const double facing = angleOf(motion.sense);
   const auto optimum = optimum_.of(scan, bearingOf(goal, at), facing);
   return velocityTowards(optimum, settings_.godzila, limits_, facing);

@@ -32,18 +32,19 @@ class Follow {
  public:
   Follow(const FollowSettings& settings, std::shared_ptr<const Robot> robot, const Beams& beams);
 
-  /// A segment begins.
-  void begin(const Segment& segment, const Pose& at);
+  /// A segment begins, in the world of a checker.
+  void begin(const Segment& segment, const Pose& at, const Checker& checker);
   /// One tick along it. `shift_m` moves the intermediate goals to the left, round something in the way.
   [[nodiscard]] Velocity along(const Segment& segment, const Pose& at, const Scan* scan, double shift_m);
   [[nodiscard]] bool isDone(const Segment& segment, const Pose& at) const;
 
-  /// How far from a segment's line GODZILA may lead the turning body [m]; 0 if the plan drives.
-  [[nodiscard]] double allowance(const Segment& segment) const;
+  /// How far from the segment's line GODZILA may lead the turning body [m]; 0 if the plan drives.
+  [[nodiscard]] double allowance() const { return allowance_m_; }
   /// Along a translation [m], or turned [rad], so far.
   [[nodiscard]] double progress(const Segment& segment, const Pose& at) const;
 
  private:
+  [[nodiscard]] double allowanceOn(const Segment& segment, const Checker& checker) const;
   [[nodiscard]] Velocity turnOn(const Motion& motion, const Pose& at, double tolerance_m) const;
   [[nodiscard]] Velocity byPlan(const Segment& segment, const Pose& at) const;
   [[nodiscard]] Velocity byGodzila(const Segment& segment, const Pose& at, const Scan& scan,
@@ -53,6 +54,7 @@ class Follow {
   std::shared_ptr<const Robot> robot_;
   SpeedLimits limits_;
   HeadingOptimum optimum_;
+  double allowance_m_ = 0.0;
   double turned_rad_ = 0.0;  // since the turn began
   double last_yaw_ = 0.0;
 };

@@ -13,6 +13,8 @@ struct OnLane {
   double turned_rad = 0.0;  ///< from its heading
 };
 [[nodiscard]] OnLane onLane(const Motion& translation, const Pose& at);
+/// The translation beside it, so far to its left.
+[[nodiscard]] Motion shifted(const Motion& translation, double left_m);
 /// A point that lies so far along a translation [map frame].
 [[nodiscard]] Point pointAlong(const Motion& translation, double along_m);
 

@@ -78,18 +78,29 @@ TEST(Heading, TellsTheNearestBeam) {
 
 TEST(Drive, IsSlowerNearAWallAndWhileTurning) {
   const SpeedLimits limits{0.068, 0.04, 0.04, 0.04, 0.17};
-  const HeadingOptimum optimum(tuned(), Beams{});
-  HeadingOptimum::Result straight{{1.0, 0.0}, 0.0, 2.0, 0.0};
+  const HeadingOptimum::Result straight{{1.0, 0.0}, 0.0, 0.6, 0.0};
   HeadingOptimum::Result turning = straight;
   turning.heading_rad = 1.0;
   HeadingOptimum::Result near = turning;
-  near.nearest_m = 0.35;
+  near.nearest_m = 0.25;
   const double free = velocityTowards(straight, tuned(), limits).x_mps;
-  const double while_turning = velocityTowards(turning, table7(), limits).x_mps;
-  const double near_and_turning = velocityTowards(near, table7(), limits).x_mps;
+  GodzilaSettings papers = table7();
+  papers.most_speed = 1.0;
+  papers.most_turn = 1.0;
+  const double while_turning = velocityTowards(turning, papers, limits).x_mps;
+  const double near_and_turning = velocityTowards(near, papers, limits).x_mps;
   EXPECT_NEAR(free, limits.forward_mps, 1e-12);
+  EXPECT_LT(while_turning, free);
   EXPECT_LT(near_and_turning, while_turning);
-  EXPECT_LE(while_turning, 0.4 * limits.forward_mps + 1e-12);  // Table 7: a share of the top speed
+}
+
+TEST(Drive, KeepsToItsSharesOfTheTopSpeeds) {
+  const SpeedLimits limits{0.068, 0.04, 0.04, 0.04, 0.17};
+  const HeadingOptimum::Result free{{1.0, 0.0}, 0.0, 5.0, 0.0};
+  HeadingOptimum::Result behind = free;
+  behind.heading_rad = 3.0;
+  EXPECT_DOUBLE_EQ(velocityTowards(free, table7(), limits).x_mps, 0.4 * limits.forward_mps);
+  EXPECT_DOUBLE_EQ(velocityTowards(behind, table7(), limits).turn_radps, 0.2 * limits.turn_radps);
 }
 
 TEST(Drive, GoesAlongTheSenseInItsSidewaysForm) {

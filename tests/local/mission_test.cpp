@@ -34,7 +34,7 @@ struct Source {
   int asked = 0;
   Expected<Plan> operator()(const Request& request, const std::shared_ptr<const World>& world) {
     ++asked;
-    return Planner(world, robot).plan(request, Planner::Clock::now() + std::chrono::seconds(20));
+    return Planner(world, robot).findPlan(request, Planner::Clock::now() + std::chrono::seconds(1));
   }
 };
 

@@ -26,7 +26,7 @@ Command forward(double speed_mps) { return {{speed_mps, 0.0, 0.0}, std::nullopt}
 TEST(SimulatedRobot, DoesTheSameAgainWithTheSameSeedAndOtherwiseWithAnother) {
   const auto run = [](std::uint64_t seed) {
     SimulatedRobot dut(roomWith({}), robotWith(false), {0, 0, 0}, 0, seed);
-    for (int k = 0; k < 100; ++k) dut.sense(), dut.step({{0.05, 0.0, 0.1}, std::nullopt});
+    for (int k = 0; k < 100; ++k) static_cast<void>(dut.sense()), dut.step({{0.05, 0.0, 0.1}, std::nullopt});
     return dut.truth().pose;
   };
   EXPECT_EQ(run(5), run(5));
