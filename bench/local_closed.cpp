@@ -99,6 +99,29 @@ Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Cours
   return so_far;
 }
 
+/// The papers' fixed number of cycles, in the same place; nothing is asked of it.
+void addPapersTrigger(const LocalBench& bench, const Course& course, Report& report) {
+  auto planner = plannerFor(course, bench.robot);
+  ExecutorSettings settings;
+  settings.crawl = papersTrigger();
+  Count so_far;
+  const unsigned long seeds = bench.seeds(100);
+  for (unsigned long seed = 1; seed <= seeds; ++seed)
+    count(driveCourse(course, planner, bench.robot, settings, {}, seed), so_far);
+  const double percent = 100.0 * static_cast<double>(so_far.arrived) / static_cast<double>(seeds);
+  report.rows.push_back(
+      {"the same by the papers' fixed number of cycles: arrive", percent, "%", "", {}, 1, seeds, {}, {}});
+  report.rows.push_back({"the same by the papers' fixed number of cycles: collide",
+                         static_cast<double>(so_far.collided),
+                         "runs",
+                         "",
+                         {},
+                         1,
+                         seeds,
+                         {},
+                         {}});
+}
+
 }  // namespace
 
 Expected<void> addPlans(const LocalBench& bench, Report& report) {
@@ -137,6 +160,7 @@ Expected<void> addTight(const LocalBench& bench, Report& report) {
       bench.progress(static_cast<double>(seed) / static_cast<double>(seeds));
     }
     addRows("gap of " + course->name + " body and 6 cm", "arrive", so_far, 98, report);
+    if (mode + 1 == bench.robot->modes.size()) addPapersTrigger(bench, *course, report);
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/local_courses.hpp"
 #include "bench/local_parts.hpp"
 #include "bench/local_run.hpp"
 #include "bench/minimiser.hpp"
@@ -72,12 +73,44 @@ void addTick(const LocalBench& bench, Report& report) {
                          {}});
 }
 
+/// Each tick of a plan's execution, by the executor: scenario 3, walking and crawling.
+Expected<void> addExecutorTick(const LocalBench& bench, Report& report) {
+  const auto courses = coursesOf(bench.options.data / "maps" / "scenario3.yaml", *bench.robot);
+  if (!courses) return tl::unexpected(courses.error());
+  const Course& course = courses->front();
+  Planner planner(course.map, bench.robot);
+  auto plan = planner.findPlan(course.request, Planner::Clock::now() + std::chrono::seconds(10));
+  if (!plan) return tl::unexpected(plan.error());
+  sim::SimulatedRobot body(course.truth, bench.robot, course.request.start, 0, 1);
+  Executor executor(bench.robot);
+  executor.follow(std::move(*plan), course.map, *course.map);
+  std::vector<double> took_us;
+  while (executor.state() != State::kArrived && body.now_s() < 1000.0) {
+    const Senses& senses = body.sense();
+    const double begun = processorTime_us();
+    const Tick tick = executor.tick(senses);
+    took_us.push_back(processorTime_us() - begun);
+    body.step(tick.command);
+  }
+  const double p99 = quantile(took_us, 0.99);
+  report.rows.push_back({"one tick of the executor, 683 beams, processor time, p99",
+                         p99,
+                         "us",
+                         "<= 20",
+                         p99 <= 20.0,
+                         1,
+                         took_us.size(),
+                         {},
+                         {}});
+  return {};
+}
+
 }  // namespace
 
 Expected<void> addHeading(const LocalBench& bench, Report& report) {
   addMinimiser(bench, report);
   addTick(bench, report);
-  return {};
+  return addExecutorTick(bench, report);
 }
 
 }  // namespace underway::bench

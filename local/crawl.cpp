@@ -7,7 +7,7 @@ namespace underway {
 
 CrawlSettings papersTrigger() {
   CrawlSettings settings;
-  settings.fixed = FixedTrigger{};
+  settings.fixed = FixedCycles{};
   return settings;
 }
 

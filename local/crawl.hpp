@@ -8,23 +8,22 @@
 
 namespace underway {
 
-/// The papers' own trigger (Brooks 2015 and 2017): nearer than a threshold to the low obstacle it goes down
-/// where it is, crawls a fixed number of cycles, and gets up.
-struct FixedTrigger {
-  double threshold_m = 0.4;  ///< between body and the low obstacle [m]
+/// The papers' own way (Brooks 2015 and 2017), as far as a plan leaves it open: before the low obstacle it
+/// goes down as it stands, crawls a fixed number of cycles, and gets up where it is then.
+struct FixedCycles {
   int cycles = 25;
 };
 
 struct CrawlSettings {
-  double stroke_m = 0.0777;           ///< of a cycle that does not slip (Brooks 2017, chapter 4) [m]
-  double kept = 0.87;                 ///< the share of it that the real robot kept (610 mm in 9 cycles)
-  double kept_sigma = 0.05;           ///< of each cycle's share
-  double fix_sigma_m = 0.01;          ///< of its position when it goes down [m]
-  double sigmas = 3.0;                ///< how sure it is of room before it gets up
-  double longest_extra_m = 0.6;       ///< how far beyond the planned end it looks for room to get up [m]
-  double stall_s = 10.0;              ///< a cycle that takes longer does not progress [s]
-  int aligned_ticks = 10;             ///< in a row, before it goes down
-  std::optional<FixedTrigger> fixed;  ///< instead of all that; to compare with
+  double stroke_m = 0.0777;          ///< of a cycle that does not slip (Brooks 2017, chapter 4) [m]
+  double kept = 0.87;                ///< the share of it that the real robot kept (610 mm in 9 cycles)
+  double kept_sigma = 0.05;          ///< of each cycle's share
+  double fix_sigma_m = 0.01;         ///< of its position when it goes down [m]
+  double sigmas = 3.0;               ///< how sure it is of room before it gets up
+  double longest_extra_m = 0.6;      ///< how far beyond the planned end it looks for room to get up [m]
+  double stall_s = 10.0;             ///< a cycle that takes longer does not progress [s]
+  int aligned_ticks = 10;            ///< in a row, before it goes down
+  std::optional<FixedCycles> fixed;  ///< instead of all that; to compare with
 };
 /// The papers' trigger, for comparison.
 [[nodiscard]] CrawlSettings papersTrigger();

@@ -9,6 +9,12 @@
 
 namespace underway {
 
+/// The beams that a depth camera's picture is told as: nearest of all heights, by bearing.
+[[nodiscard]] inline Beams depthBeamsOf(double field_rad) {
+  constexpr std::size_t kCount = 257;
+  return {kCount, -0.5 * field_rad, field_rad / (kCount - 1.0)};
+}
+
 /// A pose that some localisation found, and when it was so.
 struct PoseEstimate {
   double stamp_s = 0.0;  ///< of the moment it is the pose of [s]

@@ -19,6 +19,10 @@ Tolerance toleranceOf(const SurroundingsSettings& settings) {
   return tolerance;
 }
 
+Beams depthBeams(const SensesOfRobot& senses) {
+  return senses.depth ? depthBeamsOf(senses.depth->field_rad) : Beams{};
+}
+
 /// How many noisy beams may seem to end inside a body that keeps 2 cm from a wall.
 std::size_t outliersOf(const SurroundingsSettings& settings) {
   const double of_margin = settings.sensor_sigma_m / 0.01;
@@ -30,6 +34,8 @@ std::size_t outliersOf(const SurroundingsSettings& settings) {
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
+      lidar_(Beams{}),
+      depth_(depthBeams(robot_->senses)),
       against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
@@ -54,37 +60,40 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   window_.slideTo(from.position());
   ++turn_;
   const bool is_lying = robot_->modes[senses.mode].body_m.z.max < robot_->modes.front().body_m.z.max;
-  if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
-  if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
+  if (senses.scan != nullptr) look(*senses.scan, lidar_, is_lying ? head_map_ : waist_map_, from);
+  if (senses.depth != nullptr) look(*senses.depth, depth_, depth_map_, from);
   if (senses.scan != nullptr) against_all_.look(*senses.scan);
-  addWhatIsBehind(from);
+  addWhatWasSeen(from);
 }
 
-/// What was seen before, where no beam looks now.
-void Surroundings::addWhatIsBehind(const Pose& from) {
+/// What was seen before: no beam may look there now.
+void Surroundings::addWhatWasSeen(const Pose& from) {
   constexpr double kReach_m = 0.5;
-  const double seen_rad = -Beams{}.first_rad;
   const Pose back = before({0.0, 0.0, 0.0}, from);
   window_.visitOccupied(from.position(), kReach_m, [&](Point cell, bool) {
-    const Point local = transform({back.x, back.y, -from.yaw}, cell);
-    if (std::abs(std::atan2(local.y, local.x)) > seen_rad) against_unmapped_.add(local);
+    against_unmapped_.add(transform({back.x, back.y, -from.yaw}, cell));
   });
 }
 
-void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
+void Surroundings::look(const Scan& scan, const BeamDirections& directions, const MapView& map,
+                        const Pose& from) {
+  // A plane that passes below a table top must not take back what a depth camera saw of it.
+  const bool takes_back = !robot_->senses.depth || &map == &depth_map_;
   constexpr std::size_t kShare = 8;  // of the beams, looked at for what is free, each tick others
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+  const auto unit = [](double angle) { return Point{std::cos(angle), std::sin(angle)}; };
+  const Point first_local = unit(scan.beams.first_rad);
+  const Point first_map = unit(scan.beams.first_rad + from.yaw);
+  const std::size_t count = std::min(scan.ranges_m.size(), directions.count());
+  for (std::size_t i = 0; i < count; ++i) {
     const double range = scan.ranges_m[i];
-    const double bearing = scan.beams.bearing(i) + from.yaw;
-    const Point direction{std::cos(bearing), std::sin(bearing)};
     const double reach = std::min(range, settings_.believed_m);
+    const Point direction = directions.direction(i, first_map);
     const Point end{from.x + reach * direction.x, from.y + reach * direction.y};
-    if (i % kShare == turn_ % kShare) window_.pass(from.position(), end);
+    if (takes_back && i % kShare == turn_ % kShare) window_.pass(from.position(), end);
     if (range >= settings_.believed_m || map.isExpected(end, range)) continue;
     window_.hit(end);
-    if (range < kGuarded_m)
-      against_unmapped_.add(
-          {range * std::cos(scan.beams.bearing(i)), range * std::sin(scan.beams.bearing(i))});
+    const Point local = directions.direction(i, first_local);
+    if (range < kGuarded_m) against_unmapped_.add({range * local.x, range * local.y});
   }
 }
 

@@ -13,8 +13,7 @@ constexpr double kMostLook_rad = 2.08;  // NAO's HeadYaw
 /// A depth camera, as if its points were seen from above: nearest of all heights up to the standing body's.
 LidarSettings depthFor(const DepthSense& sense, const Robot& robot) {
   LidarSettings settings;
-  const double half = 0.5 * sense.field_rad;
-  settings.beams = {257, -half, 2.0 * half / 256.0};
+  settings.beams = depthBeamsOf(sense.field_rad);
   settings.heights_m = {0.02, robot.modes.front().body_m.z.max};
   settings.nearest_m = 0.02;
   settings.farthest_m = sense.farthest_m;
