@@ -27,12 +27,10 @@ Guard::Guard(const GuardSettings& settings, const BodyBox& body, std::size_t mos
 }
 
 void Guard::look(const Scan& scan) {
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+  forEachBeam(scan.beams, 0.0, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[i];
-    if (range > near_m_) continue;
-    const double bearing = scan.beams.bearing(i);
-    add({range * std::cos(bearing), range * std::sin(bearing)});
-  }
+    if (range <= near_m_) add({range * direction.x, range * direction.y});
+  });
 }
 
 void Guard::add(Point point) {

@@ -20,24 +20,18 @@ struct Beams {
   bool operator==(const Beams&) const = default;
 };
 
-/// The directions of beams, worked out once: unit vectors, to be turned to wherever the first beam looks.
-class BeamDirections {
- public:
-  explicit BeamDirections(const Beams& beams) {
-    for (std::size_t i = 0; i < beams.count; ++i)
-      from_first_.push_back({std::cos(static_cast<double>(i) * beams.step_rad),
-                             std::sin(static_cast<double>(i) * beams.step_rad)});
+/// Calls `visit(i, direction)` for each beam, with its unit vector in a frame that the body frame is turned
+/// in by an angle. Each direction is the last one turned by a step: right to 1e-12, and no sines.
+template <class Visit>
+void forEachBeam(const Beams& beams, double turned_rad, const Visit& visit) {
+  const double c = std::cos(beams.step_rad);
+  const double s = std::sin(beams.step_rad);
+  Point direction{std::cos(beams.first_rad + turned_rad), std::sin(beams.first_rad + turned_rad)};
+  for (std::size_t i = 0; i < beams.count; ++i) {
+    visit(i, direction);
+    direction = {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
   }
-  [[nodiscard]] std::size_t count() const { return from_first_.size(); }
-  /// Beam i's direction when the first beam looks along a unit vector.
-  [[nodiscard]] Point direction(std::size_t i, Point first) const {
-    const Point d = from_first_[i];
-    return {first.x * d.x - first.y * d.y, first.y * d.x + first.x * d.y};
-  }
-
- private:
-  std::vector<Point> from_first_;
-};
+}
 
 /// What a planar range sensor saw at one moment: for each beam the distance from the body frame's origin to
 /// what is nearest along it [m]. kNothing where the beam met nothing in its range.

@@ -19,10 +19,6 @@ Tolerance toleranceOf(const SurroundingsSettings& settings) {
   return tolerance;
 }
 
-Beams depthBeams(const SensesOfRobot& senses) {
-  return senses.depth ? depthBeamsOf(senses.depth->field_rad) : Beams{};
-}
-
 /// How many noisy beams may seem to end inside a body that keeps 2 cm from a wall.
 std::size_t outliersOf(const SurroundingsSettings& settings) {
   const double of_margin = settings.sensor_sigma_m / 0.01;
@@ -34,8 +30,6 @@ std::size_t outliersOf(const SurroundingsSettings& settings) {
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
-      lidar_(Beams{}),
-      depth_(depthBeams(robot_->senses)),
       against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
@@ -60,8 +54,8 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   window_.slideTo(from.position());
   ++turn_;
   const bool is_lying = robot_->modes[senses.mode].body_m.z.max < robot_->modes.front().body_m.z.max;
-  if (senses.scan != nullptr) look(*senses.scan, lidar_, is_lying ? head_map_ : waist_map_, from);
-  if (senses.depth != nullptr) look(*senses.depth, depth_, depth_map_, from);
+  if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
+  if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
   if (senses.scan != nullptr) against_all_.look(*senses.scan);
   addWhatWasSeen(from);
 }
@@ -75,26 +69,22 @@ void Surroundings::addWhatWasSeen(const Pose& from) {
   });
 }
 
-void Surroundings::look(const Scan& scan, const BeamDirections& directions, const MapView& map,
-                        const Pose& from) {
+void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
   // A plane that passes below a table top must not take back what a depth camera saw of it.
   const bool takes_back = !robot_->senses.depth || &map == &depth_map_;
   constexpr std::size_t kShare = 8;  // of the beams, looked at for what is free, each tick others
-  const auto unit = [](double angle) { return Point{std::cos(angle), std::sin(angle)}; };
-  const Point first_local = unit(scan.beams.first_rad);
-  const Point first_map = unit(scan.beams.first_rad + from.yaw);
-  const std::size_t count = std::min(scan.ranges_m.size(), directions.count());
-  for (std::size_t i = 0; i < count; ++i) {
+  const double c = std::cos(from.yaw);
+  const double s = std::sin(from.yaw);
+  forEachBeam(scan.beams, from.yaw, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[i];
     const double reach = std::min(range, settings_.believed_m);
-    const Point direction = directions.direction(i, first_map);
     const Point end{from.x + reach * direction.x, from.y + reach * direction.y};
     if (takes_back && i % kShare == turn_ % kShare) window_.pass(from.position(), end);
-    if (range >= settings_.believed_m || map.isExpected(end, range)) continue;
+    if (range >= settings_.believed_m || map.isExpected(end, range)) return;
     window_.hit(end);
-    const Point local = directions.direction(i, first_local);
-    if (range < kGuarded_m) against_unmapped_.add({range * local.x, range * local.y});
-  }
+    const Point ahead{c * direction.x + s * direction.y, c * direction.y - s * direction.x};
+    if (range < kGuarded_m) against_unmapped_.add({range * ahead.x, range * ahead.y});
+  });
 }
 
 bool Surroundings::isLaneBlocked(const Motion& translation, double along_m, double shift_m) const {

@@ -52,12 +52,10 @@ class Surroundings {
 
  private:
   void addWhatWasSeen(const Pose& from);
-  void look(const Scan& scan, const BeamDirections& directions, const MapView& map, const Pose& from);
+  void look(const Scan& scan, const MapView& map, const Pose& from);
 
   SurroundingsSettings settings_;
   std::shared_ptr<const Robot> robot_;
-  BeamDirections lidar_;
-  BeamDirections depth_;
   MapView waist_map_;
   MapView head_map_;
   MapView depth_map_;

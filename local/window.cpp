@@ -7,21 +7,12 @@ namespace {
 
 constexpr auto kWide = static_cast<std::int64_t>(Window::kCells);
 
-std::size_t wrapped(std::int64_t at) { return static_cast<std::size_t>(((at % kWide) + kWide) % kWide); }
-
 }  // namespace
 
 Window::Place Window::placeOf(Point at) {
   return {static_cast<std::int64_t>(std::floor(at.x / kCell_m)),
           static_cast<std::int64_t>(std::floor(at.y / kCell_m))};
 }
-
-bool Window::isInside(Place place) const {
-  return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
-         place.y < corner_.y + kWide;
-}
-
-std::size_t Window::indexOf(Place place) { return wrapped(place.y) * kCells + wrapped(place.x); }
 
 void Window::slideTo(Point at) {
   const Place middle = placeOf(at);
@@ -93,9 +84,10 @@ void VirtualObstacles::shorten(Scan& scan, const Pose& from) {
     const double middle =
         normalizedAngle(std::atan2(discs_[k].at.y - from.y, discs_[k].at.x - from.x) - from.yaw);
     const double half = std::asin(radius / range);
-    for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-      const double off = normalizedAngle(scan.beams.bearing(i) - middle);
-      if (std::abs(off) >= half) continue;
+    const double first = (middle - half - scan.beams.first_rad) / scan.beams.step_rad;
+    for (auto i = static_cast<std::size_t>(std::max(std::ceil(first), 0.0)); i < scan.ranges_m.size(); ++i) {
+      const double off = scan.beams.bearing(i) - middle;
+      if (off >= half) break;
       const double across = range * std::sin(off);
       const double hit = range * std::cos(off) - std::sqrt(radius * radius - across * across);
       scan.ranges_m[i] = std::min(scan.ranges_m[i], static_cast<float>(hit));

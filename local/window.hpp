@@ -49,8 +49,18 @@ class Window {
     bool is_known = false;
   };
   [[nodiscard]] static Place placeOf(Point at);
-  [[nodiscard]] bool isInside(Place place) const;
-  [[nodiscard]] static std::size_t indexOf(Place place);
+  [[nodiscard]] bool isInside(Place place) const {
+    constexpr auto kWide = static_cast<std::int64_t>(kCells);
+    return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
+           place.y < corner_.y + kWide;
+  }
+  /// Modulo kCells, a power of two, also of what is negative.
+  [[nodiscard]] static std::size_t wrapped(std::int64_t at) {
+    return static_cast<std::size_t>(at) & (kCells - 1);
+  }
+  [[nodiscard]] static std::size_t indexOf(Place place) {
+    return wrapped(place.y) * kCells + wrapped(place.x);
+  }
   void forgetColumn(std::int64_t x);
   void forgetRow(std::int64_t y);
 

@@ -19,8 +19,6 @@ struct Bearing {
 /// The functions of range that the thesis leaves to the designer. Near the clearance threshold costs rise
 /// steeply: r' = r - clr exp(-r), kept above 0.02 m.
 [[nodiscard]] double shortened(double range_m, double clearance_threshold_m);
-/// The class-L function of bearings: 1 / (a^2 + eps^2).
-[[nodiscard]] double closenessOf(double angle_rad, double width_rad);
 
 /// GODZILA's optimisation (Brooks 2017, (3.6)-(3.17)) by its closed form.
 ///
@@ -31,7 +29,8 @@ struct Bearing {
 ///
 /// with u the unit vector of the heading looked for. All four are linear in u, so the best heading is that of
 /// alpha = alpha_1 + alpha_2 + alpha_3 + alpha_4. Beams are summed, not averaged. g11(r) = r^-2, g21 = r'^-2,
-/// f21 = r'^2, g22 = (1 - rho) L(alpha_g - alpha_i), g23 = rho L(alpha_i), g25 = L(alpha_g - alpha_i).
+/// f21 = r'^2, L(a) = 1 / (a^2 + eps^2), g22 = (1 - rho) L(alpha_g - alpha_i), g23 = rho L(alpha_i), g25 =
+/// L(alpha_g - alpha_i).
 ///
 /// `facing_rad` is alpha_r: 0 for a robot that walks ahead, the direction of the sense for one that moves
 /// sideways. Bearings count from the body's front, those of g23 from `facing_rad`.

@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace underway {
 
 double freeAlong(const Scan& scan, double bearing_rad, double half_width_m, double most_m) {
-  constexpr double kSide = 0.5 * std::numbers::pi;
   const double width_rad = std::abs(scan.beams.step_rad);
   double free = most_m;
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+  forEachBeam(scan.beams, -bearing_rad, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[i];
-    const double off = std::abs(normalizedAngle(scan.beams.bearing(i) - bearing_rad));
-    if (off >= kSide || range * std::cos(off) >= free) continue;
+    if (direction.x <= 0.0 || range * direction.x >= free) return;
     // Far away a beam may pass on either side of a thin thing: its neighbour's distance counts as its own.
-    if (range * std::sin(off) < half_width_m + range * width_rad) free = range * std::cos(off);
-  }
+    if (range * std::abs(direction.y) < half_width_m + range * width_rad) free = range * direction.x;
+  });
   return free;
 }
 
