@@ -55,8 +55,7 @@ class Executor {
   [[nodiscard]] ModeId mode() const { return mode_; }
   [[nodiscard]] std::size_t segment() const { return segment_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  /// Middles of the cells, Window::kCell_m wide, in which it saw something the map does not have, near the
-  /// robot.
+  /// Where it saw something the map does not have, near the robot: a point for each cell of the window.
   [[nodiscard]] std::vector<Point> surprises() const;
 
  private:

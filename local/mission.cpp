@@ -1,5 +1,7 @@
 #include "local/mission.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,21 +13,24 @@ constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
 
-/// A cell in which something was seen, as an obstacle as high as the robot, a little grown for the noise.
-Obstacle obstacleAt(Point cell, const World& world, const Robot& robot) {
-  constexpr double kGrown_m = 0.01;
+/// How large what was seen in a cell is taken, for the noise and for corners that were not seen: all cells
+/// together leave no gaps for a body. Where that leaves no plan less is tried, which the guard watches over
+/// all the same.
+constexpr std::array kSize_m{0.06, 0.04, 0.02};
+
+/// What was seen in a cell, as an obstacle as high as the robot.
+Obstacle obstacleAt(Point cell, double size_m, const World& world, const Robot& robot) {
   const double height = robot.modes.front().body_m.z.max;
-  const double size = Window::kCell_m + 2.0 * kGrown_m;
   const auto at = [](double x) { return std::to_string(std::lround(std::floor(x / Window::kCell_m))); };
   return {"seen_" + at(cell.x) + "_" + at(cell.y),
-          {{cell.x, cell.y, world.floorZ() + 0.5 * height}, {size, size, height}, {}}};
+          {{cell.x, cell.y, world.floorZ() + 0.5 * height}, {size_m, size_m, height}, {}}};
 }
 
 /// Whether the robot stands in a cell, by its own belief: then it cannot be there.
 bool standsIn(const BodyBox& body, const Pose& at, Point cell) {
   const Pose back = before({0.0, 0.0, 0.0}, at);
   const Point p = transform({back.x, back.y, -at.yaw}, cell);
-  constexpr double kHalf_m = 0.055;  // of a cell's diagonal, grown as above, and a little
+  constexpr double kHalf_m = 0.045;  // of the largest, along its diagonal
   return p.x > body.x.min - kHalf_m && p.x < body.x.max + kHalf_m && p.y > body.y.min - kHalf_m &&
          p.y < body.y.max + kHalf_m;
 }
@@ -116,9 +121,10 @@ void Mission::refused(const Error& error, double now_s) {
 std::shared_ptr<const World> Mission::worldWithSurprises(const std::shared_ptr<const World>& base) const {
   World world = *base;
   const BodyBox& body = robot_->modes[executor_.mode()].body_m;
+  const double size_m = kSize_m.at(std::min(static_cast<std::size_t>(refusals_), kSize_m.size() - 1));
   for (const Point cell : executor_.surprises()) {
     if (standsIn(body, executor_.pose(), cell)) continue;
-    if (auto with = world.added(obstacleAt(cell, world, *robot_))) world = std::move(*with);
+    if (auto with = world.added(obstacleAt(cell, size_m, world, *robot_))) world = std::move(*with);
   }
   return std::make_shared<const World>(std::move(world));
 }

@@ -72,7 +72,7 @@ void Surroundings::addWhatWasSeen(const Pose& from) {
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
   // A plane that passes below a table top must not take back what a depth camera saw of it.
   const bool takes_back = !robot_->senses.depth || &map == &depth_map_;
-  constexpr std::size_t kShare = 8;  // of the beams, looked at for what is free, each tick others
+  constexpr std::size_t kShare = 16;  // of the beams, looked at for what is free, each tick others
   const double c = std::cos(from.yaw);
   const double s = std::sin(from.yaw);
   forEachBeam(scan.beams, from.yaw, [&](std::size_t i, Point direction) {

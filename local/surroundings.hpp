@@ -47,7 +47,7 @@ class Surroundings {
   /// which the plan passes as near as it says, only the body itself.
   [[nodiscard]] Velocity guarded(const Velocity& wanted) const;
 
-  /// Middles of the cells with something unmapped, near a point.
+  /// Where something unmapped was seen near a point: one for each cell.
   [[nodiscard]] std::vector<Point> surprisesNear(Point at, double reach_m) const;
 
  private:

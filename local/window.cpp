@@ -6,6 +6,7 @@ namespace underway {
 namespace {
 
 constexpr auto kWide = static_cast<std::int64_t>(Window::kCells);
+constexpr float kLeastGain = 0.05F;  // of a hit on a cell's mean
 
 }  // namespace
 
@@ -42,6 +43,10 @@ void Window::hit(Point at) {
   if (!isInside(place)) return;
   Cell& cell = cells_[indexOf(place)];
   if (cell.hits < kMost) ++cell.hits;
+  const Point corner{static_cast<double>(place.x) * kCell_m, static_cast<double>(place.y) * kCell_m};
+  const float gain = cell.hits < kMost ? 1.0F / static_cast<float>(cell.hits) : kLeastGain;
+  cell.x_m += gain * (static_cast<float>(at.x - corner.x) - cell.x_m);
+  cell.y_m += gain * (static_cast<float>(at.y - corner.y) - cell.y_m);
 }
 
 bool Window::isOccupied(Point at) const {
@@ -55,11 +60,13 @@ void Window::markKnown() {
 
 void Window::pass(Point from, Point to) {
   constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
-  const double range = distance(from, to) - kShort_m;
-  if (!(range > 0.0)) return;
-  const double share = kCell_m / distance(from, to);
-  for (double t = 0.0; t * distance(from, to) < range; t += share) {
-    const Place place = placeOf({std::lerp(from.x, to.x, t), std::lerp(from.y, to.y, t)});
+  const double range = distance(from, to);
+  if (!(range > kShort_m)) return;
+  const Point step{kCell_m * (to.x - from.x) / range, kCell_m * (to.y - from.y) / range};
+  const auto steps = static_cast<int>((range - kShort_m) / kCell_m);
+  Point at = from;
+  for (int k = 0; k <= steps; ++k, at.x += step.x, at.y += step.y) {
+    const Place place = placeOf(at);
     if (!isInside(place)) return;
     Cell& cell = cells_[indexOf(place)];
     if (cell.hits > 0) --cell.hits;

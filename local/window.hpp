@@ -35,7 +35,8 @@ class Window {
   void markKnown();
   void clear() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
 
-  /// Calls `visit(middle, is_known)` for each occupied cell within a distance of a point along both axes.
+  /// Calls `visit(at, is_known)` for each occupied cell within a distance of a point along both axes, with
+  /// the mean of what was seen in it.
   template <class Visit>
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
 
@@ -47,6 +48,8 @@ class Window {
   struct Cell {
     std::uint8_t hits = 0;
     bool is_known = false;
+    float x_m = 0.0F;  // mean of what was seen in it, from its corner: surer than the cell
+    float y_m = 0.0F;
   };
   [[nodiscard]] static Place placeOf(Point at);
   [[nodiscard]] bool isInside(Place place) const {
@@ -75,7 +78,7 @@ void Window::visitOccupied(Point round, double reach_m, const Visit& visit) cons
   for (std::int64_t y = low.y; y <= high.y; ++y)
     for (std::int64_t x = low.x; x <= high.x; ++x)
       if (const Cell cell = isInside({x, y}) ? cells_[indexOf({x, y})] : Cell{}; cell.hits >= kSure)
-        visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m},
+        visit(Point{static_cast<double>(x) * kCell_m + cell.x_m, static_cast<double>(y) * kCell_m + cell.y_m},
               cell.is_known);
 }
 

@@ -83,6 +83,15 @@ TEST(Window, TellsWhatIsKnownFromWhatCameSince) {
   EXPECT_EQ(fresh, 1);
 }
 
+TEST(Window, TellsWhereInACellSomethingWasSeen) {
+  Window dut;
+  for (int i = 0; i < 50; ++i) dut.hit({1.001 + 0.0002 * (i % 5), 0.549});
+  dut.visitOccupied({1.0, 0.5}, 0.2, [](Point at, bool) {
+    EXPECT_NEAR(at.x, 1.0014, 1e-4);
+    EXPECT_NEAR(at.y, 0.549, 1e-4);
+  });
+}
+
 Scan openScan() {
   Scan scan;
   scan.ranges_m.assign(scan.beams.count, Scan::kNothing);
