@@ -11,6 +11,7 @@
 #include "apps/terminal.hpp"
 #include "bench/gait.hpp"
 #include "bench/geometry.hpp"
+#include "bench/local.hpp"
 #include "bench/peer_queries.hpp"
 #include "bench/physics.hpp"
 #include "bench/planner.hpp"
@@ -28,6 +29,7 @@ constexpr const char* kExamples =
     "  refusals    proofs that no plan exists: how many of the true ones are found, and how many are false\n"
     "  geometry    the collision engine: exactness against a slow reference, speed against FCL\n"
     "  planner     the planner: cold and warm, against the oracle, its deadlines, how it grows\n"
+    "  local       GODZILA alone, and plans executed by a simulated robot\n"
     "  planners    our planner and OMPL's own on any map, robot and queries\n"
     "  gait        the crawl in its model: nominal and optimised, the library, how fast it is computed\n"
     "  physics     the crawl on a NAO in MuJoCo: advance, height, torques, going down and up, under a table\n"
@@ -37,6 +39,7 @@ constexpr const char* kExamples =
     "  underway bench geometry --quick\n"
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
+    "  underway bench local --quick --only pure\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
     "  underway bench physics --plots out/bench/physics\n"
     "  underway bench physics --only lines --quick\n"
@@ -68,6 +71,7 @@ struct Belongs {
 
 /// What a benchmark can measure alone.
 std::vector<std::string> partsOf(std::string_view benchmark) {
+  if (benchmark == "local") return bench::localParts();
   if (benchmark == "planner") return bench::plannerParts();
   return benchmark == "physics" ? bench::physicsParts() : std::vector<std::string>{};
 }
@@ -75,7 +79,7 @@ std::vector<std::string> partsOf(std::string_view benchmark) {
 /// A sentence about the first option that does not belong to the benchmark.
 std::optional<std::string> misplaced(const Arguments& arguments) {
   const std::vector<Belongs> options{
-      {"--quick", arguments.quick, {"geometry", "peers", "physics", "planner", "planners"}},
+      {"--quick", arguments.quick, {"geometry", "local", "peers", "physics", "planner", "planners"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
       {"--map", !arguments.map.file.empty(), {"planners"}},
@@ -83,7 +87,7 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
       {"--plots", !arguments.plots.empty(), {"physics", "planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
-      {"--only", !arguments.only.empty(), {"physics", "planner"}},
+      {"--only", !arguments.only.empty(), {"local", "physics", "planner"}},
       {"--own-s", arguments.own_s > 0.0, {"planner"}},
   };
   for (const Belongs& option : options)
@@ -173,6 +177,7 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   if (arguments.name == "gait") return bench::gait(*data, progress);
   if (arguments.name == "physics")
     return bench::physics({*data, arguments.quick, arguments.plots, arguments.only}, progress);
+  if (arguments.name == "local") return bench::local({*data, arguments.quick, arguments.only}, progress);
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -192,6 +197,7 @@ ExitCode run(const Arguments& arguments) {
   return deliverFigures(tableOf(*report), bench::toJson(*report), arguments.json);
 }
 
+/// Of all benchmarks that have parts.
 }  // namespace
 
 Command addBenchCommand(CLI::App& program) {
@@ -200,7 +206,7 @@ Command addBenchCommand(CLI::App& program) {
   command.add_option("name", arguments->name, "Which benchmark")
       ->required()
       ->check(CLI::IsMember(
-          {"scenarios", "refusals", "gait", "geometry", "peers", "physics", "planner", "planners"}));
+          {"scenarios", "refusals", "gait", "geometry", "local", "peers", "physics", "planner", "planners"}));
   command.add_option("--json", arguments->json, "Write the figures; - for standard output")
       ->type_name("FILE|-");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
@@ -221,8 +227,9 @@ Command addBenchCommand(CLI::App& program) {
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
       ->type_name("DIR");
-  command.add_option("--only", arguments->only, "planner, physics: one part of it")
-      ->check(CLI::IsMember(partsOf("planner")) | CLI::IsMember(partsOf("physics")));
+  command.add_option("--only", arguments->only, "local, physics, planner: one part of it")
+      ->check(CLI::IsMember(partsOf("local")) | CLI::IsMember(partsOf("planner")) |
+              CLI::IsMember(partsOf("physics")));
   command
       .add_option("--own-s", arguments->own_s,
                   "planner: help the oracle with the planner's own best after S seconds")

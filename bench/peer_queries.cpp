@@ -54,7 +54,7 @@ Expected<Robot> peersRobot() {
   walk.body_m = {{-0.13, 0.13}, {-0.195, 0.195}, {0.0, 0.5}};
   walk.speed_mps = {0.1, 0.1, 0.1, 0.1};
   walk.turn_speed_radps = 0.5;
-  return checkedRobot({"peers_body", 0.0, {walk}, {}});
+  return checkedRobot({"peers_body", 0.0, {walk}, {}, {}});
 }
 
 Request requestOf(const PeerQuery& query) {

@@ -82,6 +82,18 @@ std::string faultOf(const Switch& change, const Robot& robot) {
   return {};
 }
 
+std::string faultOf(const SensesOfRobot& senses) {
+  for (const auto& [name, lidar] : {std::pair{"waist", senses.waist}, std::pair{"head", senses.head}})
+    if (lidar && !(isAtLeast(lidar->height_m, 0.0) && lidar->height_m <= kLargestBody_m))
+      return std::string("senses.") + name + ".height_m must be between 0 and 100 m";
+  if (!senses.depth) return {};
+  if (!isAtLeast(senses.depth->field_rad, 0.01) || senses.depth->field_rad > 2.0 * std::numbers::pi)
+    return "senses.depth.field_rad must be between 0.01 and 6.28 rad";
+  if (!isAtLeast(senses.depth->farthest_m, 0.1) || senses.depth->farthest_m > kLargestBody_m)
+    return "senses.depth.farthest_m must be between 0.1 and 100 m";
+  return {};
+}
+
 std::string labelOf(const Switch& change, const Robot& robot) {
   const auto mode_name = [&](ModeId id) {
     return id < robot.modes.size() ? robot.modes[id].name : std::string("?");
@@ -146,6 +158,7 @@ Expected<Robot> checkedRobot(Robot robot) {
     if (!pairs.insert({change.from, change.to}).second)
       return refuse(labelOf(change, robot) + " is given twice");
   }
+  if (const std::string fault = faultOf(robot.senses); !fault.empty()) return refuse(fault);
   return robot;
 }
 

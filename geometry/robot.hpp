@@ -53,6 +53,25 @@ struct Switch {
   bool operator==(const Switch&) const = default;
 };
 
+/// A planar lidar: sees what crosses its plane.
+struct LidarSense {
+  double height_m = 0.0;  ///< of the plane above the floor [m]
+  bool operator==(const LidarSense&) const = default;
+};
+/// A depth camera that looks ahead: sees all heights.
+struct DepthSense {
+  double field_rad = 0.0;   ///< how wide it sees, half of it to either side [rad]
+  double farthest_m = 0.0;  ///< [m]
+  bool operator==(const DepthSense&) const = default;
+};
+/// What a robot sees the world with. No plan depends on it; what executes a plan does.
+struct SensesOfRobot {
+  std::optional<LidarSense> waist;  ///< sees while standing only
+  std::optional<LidarSense> head;   ///< sees while lying only
+  std::optional<DepthSense> depth;  ///< sees while standing only
+  bool operator==(const SensesOfRobot&) const = default;
+};
+
 /// What a robot file says, checked: names unique, sizes and speeds sound, switches between different known
 /// modes.
 struct Robot {
@@ -60,6 +79,7 @@ struct Robot {
   double margin_m = 0.0;    ///< kept from every obstacle in the plane
   std::vector<Mode> modes;  ///< in order of priority; the first is the standing mode
   std::vector<Switch> switches;
+  SensesOfRobot senses;
 
   [[nodiscard]] std::optional<ModeId> findMode(std::string_view mode_name) const;
   [[nodiscard]] const Switch* findSwitch(ModeId from, ModeId to) const;

@@ -20,11 +20,12 @@ const fs::path kProject = UNDERWAY_SOURCE_DIR;
 const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {}},
     {"gait", {}},
-    {"sim", {"geometry", "gait"}},
+    {"sim", {"geometry", "gait", "local"}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
-    {"bench", {"geometry", "planner", "gait", "sim"}},
-    {"apps", {"geometry", "planner", "gait", "server", "bench"}},
+    {"local", {"geometry", "planner"}},
+    {"bench", {"geometry", "planner", "gait", "local", "sim"}},
+    {"apps", {"geometry", "planner", "gait", "local", "sim", "server", "bench"}},
 };
 
 /// The only folder whose sources and headers may include a third party's headers.

@@ -66,6 +66,22 @@ Switch switchOf(const YamlValue& value, const Robot& robot) {
   return change;
 }
 
+SensesOfRobot sensesOf(const YamlValue& value) {
+  SensesOfRobot senses;
+  if (!value) return senses;
+  value.allowOnly({"waist", "head", "depth"});
+  for (const auto& [key, lidar] : {std::pair{"waist", &senses.waist}, std::pair{"head", &senses.head}})
+    if (const YamlValue sense = value.find(key)) {
+      sense.allowOnly({"height_m"});
+      *lidar = {sense.at("height_m").number()};
+    }
+  if (const YamlValue sense = value.find("depth")) {
+    sense.allowOnly({"field_rad", "farthest_m"});
+    senses.depth = {sense.at("field_rad").number(), sense.at("farthest_m").number()};
+  }
+  return senses;
+}
+
 /// Refuses, on the line of the piece that was just added, what makes the robot unsound.
 void refuseUnlessSound(const YamlValue& piece, const Robot& robot) {
   if (const auto checked = checkedRobot(robot); !checked) piece.refuse(checked.error().message);
@@ -80,7 +96,7 @@ Expected<Robot> readRobot(const std::filesystem::path& file) {
   if (!yaml) return tl::unexpected(yaml.error());
 
   const YamlValue root = yaml->root();
-  root.allowOnly({"name", "margin_m", "modes", "switches"});
+  root.allowOnly({"name", "margin_m", "modes", "switches", "senses"});
   Robot robot;
   robot.name = root.at("name").text();
   const YamlValue margin = root.at("margin_m");
@@ -99,6 +115,10 @@ Expected<Robot> readRobot(const std::filesystem::path& file) {
     if (yaml->fault()) break;
     robot.switches.push_back(switchOf(change, robot));
     refuseUnlessSound(change, robot);
+  }
+  if (const YamlValue senses = root.find("senses"); senses && !yaml->fault()) {
+    robot.senses = sensesOf(senses);
+    refuseUnlessSound(senses, robot);
   }
   if (yaml->fault()) return tl::unexpected(*yaml->fault());
   return checkedRobot(std::move(robot));

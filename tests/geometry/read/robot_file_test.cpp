@@ -55,6 +55,27 @@ TEST_F(RobotFile, SwitchesNameTheirModes) {
       << "not given: the hull of both bodies";
 }
 
+TEST_F(RobotFile, TellsTheRobotsSenses) {
+  const auto dut = read(kGood +
+                        "senses:\n  waist: {height_m: 0.3}\n  depth: {field_rad: 1.5, farthest_m: 3.0}\n");
+  ASSERT_TRUE(dut) << dut.error().message;
+  EXPECT_EQ(dut->senses.waist, LidarSense{0.3});
+  EXPECT_EQ(dut->senses.head, std::nullopt);
+  EXPECT_EQ(dut->senses.depth, (DepthSense{1.5, 3.0}));
+  EXPECT_EQ(hashOf(*dut), hashOf(*read(kGood))) << "no plan depends on them";
+}
+
+TEST_F(RobotFile, RefusesSensesThatCannotBe) {
+  for (const char* senses : {"  waist: {height_m: -0.1}\n", "  nose: {height_m: 0.1}\n", "  head: {}\n",
+                             "  depth: {field_rad: 7.0, farthest_m: 3.0}\n",
+                             "  depth: {field_rad: 1.0, farthest_m: 0.0}\n", "  waist: {height_m: high}\n"}) {
+    const auto dut = read(kGood + "senses:\n" + senses);
+    ASSERT_FALSE(dut) << senses;
+    EXPECT_EQ(dut.error().code, ErrorCode::kInvalidRobot);
+    EXPECT_NE(dut.error().message.find("r.yaml:"), std::string::npos) << dut.error().message;
+  }
+}
+
 TEST_F(RobotFile, OneModeNeedsNoSwitches) {
   EXPECT_TRUE(
       read("name: a\nmargin_m: 0\nmodes:\n  walk: {body_m: {x: [0, 1], y: [0, 1], z: [0, 1]}, "

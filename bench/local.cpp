@@ -1,0 +1,42 @@
+#include "bench/local.hpp"
+
+#include <array>
+
+#include "bench/local_parts.hpp"
+#include "geometry/map.hpp"
+
+namespace underway::bench {
+namespace {
+
+struct Part {
+  const char* name;
+  Expected<void> (*add)(const LocalBench&, Report&);
+};
+constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure}, Part{"plans", addPlans},
+                            Part{"unmapped", addUnmapped}, Part{"tight", addTight}};
+
+}  // namespace
+
+std::vector<std::string> localParts() {
+  std::vector<std::string> names;
+  for (const Part& part : kParts) names.emplace_back(part.name);
+  return names;
+}
+
+Expected<Report> local(const LocalOptions& options, const std::function<void(double)>& progress) {
+  auto robot = readRobot(options.data / "robots" / "nao.yaml");
+  if (!robot) return tl::unexpected(robot.error());
+  const LocalBench bench{options, std::make_shared<const Robot>(std::move(*robot)), progress};
+  Report report{"local", {}};
+  bool is_known = options.only.empty();
+  for (const Part& part : kParts) {
+    if (!options.only.empty() && options.only != part.name) continue;
+    is_known = true;
+    if (const auto added = part.add(bench, report); !added) return tl::unexpected(added.error());
+  }
+  if (!is_known)
+    return fail(ErrorCode::kInvalidRequest, "the local layer's benchmark has no part '" + options.only + "'");
+  return report;
+}
+
+}  // namespace underway::bench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/report.hpp"
+#include "geometry/error.hpp"
+
+namespace underway::bench {
+
+struct LocalOptions {
+  std::filesystem::path data;  ///< folder with maps/ and robots/
+  bool quick = false;          ///< a small share of the seeds
+  std::string only;            ///< one part: its name; empty: all
+};
+
+/// The local layer's figures: GODZILA's optimum against a minimiser, a tick's time, GODZILA alone in the
+/// thesis' arenas and in traps, and plans executed by a simulated robot with honest noise. `progress` is told
+/// of each part by itself. Errors: as of readMap and readRobot; kInvalidRequest for a part that does not
+/// exist.
+[[nodiscard]] Expected<Report> local(const LocalOptions& options,
+                                     const std::function<void(double)>& progress);
+
+/// One after the other, for `only`.
+[[nodiscard]] std::vector<std::string> localParts();
+
+}  // namespace underway::bench

@@ -1,0 +1,168 @@
+#include <array>
+#include <cmath>
+
+#include "bench/local_courses.hpp"
+#include "bench/local_parts.hpp"
+
+namespace underway::bench {
+namespace {
+
+constexpr std::array kMaps{"scenario1",  "scenario2a", "scenario2b",     "scenario3",
+                           "arena_open", "arena_gap",  "arena_corridor", "flat"};
+
+struct Count {
+  unsigned long runs = 0;
+  unsigned long arrived = 0;
+  unsigned long blocked = 0;  // truly, and said so
+  unsigned long collided = 0;
+};
+
+void count(const LoopRun& run, Count& so_far) {
+  ++so_far.runs;
+  so_far.arrived += run.has_arrived ? 1 : 0;
+  so_far.blocked += run.is_truly_blocked ? 1 : 0;
+  so_far.collided += run.has_collided ? 1 : 0;
+}
+
+void addRows(const std::string& what, const std::string& does, const Count& so_far, double least_percent,
+             Report& report) {
+  const double percent =
+      100.0 * static_cast<double>(so_far.arrived + so_far.blocked) / static_cast<double>(so_far.runs);
+  std::string asked = ">= " + std::to_string(least_percent);
+  asked.erase(asked.find_last_not_of('0') + 1);
+  if (asked.ends_with('.')) asked.pop_back();
+  report.rows.push_back(
+      {what + ": " + does, percent, "%", asked, percent >= least_percent, 1, so_far.runs, {}, {}});
+  report.rows.push_back({what + ": collide",
+                         static_cast<double>(so_far.collided),
+                         "runs",
+                         "0",
+                         so_far.collided == 0,
+                         1,
+                         so_far.runs,
+                         {},
+                         {}});
+}
+
+ExecutorSettings settingsFor(double noise) {
+  ExecutorSettings settings;
+  settings.surroundings.sensor_sigma_m *= noise;
+  return settings;
+}
+
+std::unique_ptr<Planner> plannerFor(const Course& course, const std::shared_ptr<const Robot>& robot) {
+  auto planner = std::make_unique<Planner>(course.map, robot);
+  planner->prepare(Planner::Clock::now() + std::chrono::seconds(20));
+  return planner;
+}
+
+Expected<std::vector<std::vector<Course>>> allCourses(const LocalBench& bench) {
+  std::vector<std::vector<Course>> all;
+  for (const char* map : kMaps) {
+    auto courses = coursesOf(bench.options.data / "maps" / (std::string(map) + ".yaml"), *bench.robot);
+    if (!courses) return tl::unexpected(courses.error());
+    all.push_back(std::move(*courses));
+  }
+  return all;
+}
+
+/// So many seeds in each map, its queries in turn.
+Count drivePlans(const LocalBench& bench, const std::vector<std::vector<Course>>& maps, double noise,
+                 unsigned long seeds) {
+  Count so_far;
+  for (const auto& courses : maps) {
+    auto planner = plannerFor(courses.front(), bench.robot);
+    for (unsigned long seed = 1; seed <= seeds; ++seed) {
+      const Course& course = courses[seed % courses.size()];
+      count(driveCourse(course, planner, bench.robot, settingsFor(noise), sim::Flaws{}.times(noise), seed),
+            so_far);
+      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds * maps.size()));
+    }
+  }
+  return so_far;
+}
+
+using Unmapped = Course (*)(const Course&, const Plan&, const std::shared_ptr<const Robot>&, std::uint64_t);
+
+Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Course>>& maps,
+                    const std::shared_ptr<const Robot>& robot, Unmapped unmapped, unsigned long seeds) {
+  Count so_far;
+  for (const auto& courses : maps)
+    for (unsigned long seed = 1; seed <= seeds; ++seed) {
+      const Course& course = courses[seed % courses.size()];
+      auto planner = plannerFor(course, robot);
+      const auto plan = planner->findPlan(course.request, Planner::Clock::now() + std::chrono::seconds(5));
+      if (!plan) continue;
+      count(driveCourse(unmapped(course, *plan, robot, seed), planner, robot, {}, {}, seed), so_far);
+      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds * maps.size()));
+    }
+  return so_far;
+}
+
+/// The papers' fixed number of cycles, in the same place; nothing is asked of it.
+void addPapersTrigger(const LocalBench& bench, const Course& course, Report& report) {
+  auto planner = plannerFor(course, bench.robot);
+  ExecutorSettings settings;
+  settings.crawl = papersTrigger();
+  Count so_far;
+  const unsigned long seeds = bench.seeds(100);
+  for (unsigned long seed = 1; seed <= seeds; ++seed)
+    count(driveCourse(course, planner, bench.robot, settings, {}, seed), so_far);
+  const double percent = 100.0 * static_cast<double>(so_far.arrived) / static_cast<double>(seeds);
+  report.rows.push_back(
+      {"the same by the papers' fixed number of cycles: arrive", percent, "%", "", {}, 1, seeds, {}, {}});
+  report.rows.push_back({"the same by the papers' fixed number of cycles: collide",
+                         static_cast<double>(so_far.collided),
+                         "runs",
+                         "",
+                         {},
+                         1,
+                         seeds,
+                         {},
+                         {}});
+}
+
+}  // namespace
+
+Expected<void> addPlans(const LocalBench& bench, Report& report) {
+  const auto maps = allCourses(bench);
+  if (!maps) return tl::unexpected(maps.error());
+  const unsigned long seeds = bench.seeds(1000);
+  addRows("plans in eight maps", "arrive", drivePlans(bench, *maps, 1.0, seeds), 99.5, report);
+  addRows("plans in eight maps, all noise doubled", "arrive", drivePlans(bench, *maps, 2.0, seeds), 95,
+          report);
+  return {};
+}
+
+Expected<void> addUnmapped(const LocalBench& bench, Report& report) {
+  const auto maps = allCourses(bench);
+  if (!maps) return tl::unexpected(maps.error());
+  const unsigned long seeds = bench.seeds(100);
+  addRows("1 to 3 unmapped boxes", "arrive or report truly blocked",
+          driveUnmapped(bench, *maps, bench.robot, withUnmappedBoxes, seeds), 98, report);
+  auto seeing = *bench.robot;
+  seeing.senses.depth = DepthSense{1.5, 3.0};
+  addRows("1 or 2 unmapped tables, with depth", "arrive or report truly blocked",
+          driveUnmapped(bench, *maps, std::make_shared<const Robot>(seeing), withUnmappedTables, seeds), 95,
+          report);
+  return {};
+}
+
+Expected<void> addTight(const LocalBench& bench, Report& report) {
+  const unsigned long seeds = bench.seeds(100);
+  for (std::size_t mode = 0; mode < bench.robot->modes.size(); ++mode) {
+    const auto course = narrowCourse(*bench.robot, static_cast<ModeId>(mode));
+    if (!course) return tl::unexpected(course.error());
+    auto planner = plannerFor(*course, bench.robot);
+    Count so_far;
+    for (unsigned long seed = 1; seed <= seeds; ++seed) {
+      count(driveCourse(*course, planner, bench.robot, {}, {}, seed), so_far);
+      bench.progress(static_cast<double>(seed) / static_cast<double>(seeds));
+    }
+    addRows("gap of " + course->name + " body and 6 cm", "arrive", so_far, 98, report);
+    if (mode + 1 == bench.robot->modes.size()) addPapersTrigger(bench, *course, report);
+  }
+  return {};
+}
+
+}  // namespace underway::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "local/mission.hpp"
+#include "planner/planner.hpp"
+#include "sim/robot.hpp"
+
+namespace underway::bench {
+
+/// A mission to be driven: the map that the planner has, the world as it is, and what is asked for.
+struct Course {
+  std::string name;
+  std::shared_ptr<const World> map;
+  std::shared_ptr<const World> truth;  ///< with what is unmapped
+  Request request;
+};
+
+struct LoopRun {
+  Mission::Outcome outcome = Mission::Outcome::kUnderway;
+  bool has_arrived = false;       ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
+  bool is_truly_blocked = false;  ///< it said so, and in the true world there is no plan from where it stands
+  bool has_collided = false;
+  std::string why;
+  double off_m = 0.0;  ///< from the goal, in truth
+  double off_rad = 0.0;
+  double time_s = 0.0;  ///< simulated
+  int plans = 0;
+};
+
+using WatchLoop = std::function<void(const sim::SimulatedRobot&, const Mission&, const Tick&)>;
+
+/// Drives a course: simulated robot, mission, and a planner in this process, whose world is set to what the
+/// robot knows before each plan; without a plan a fresh one is asked once more. Deterministic by seed.
+[[nodiscard]] LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner,
+                                  const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,
+                                  const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch = {});
+
+}  // namespace underway::bench

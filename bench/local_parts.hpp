@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "bench/local.hpp"
+#include "geometry/robot.hpp"
+
+/// The parts of `underway bench local`, a file each. Every one adds its rows to the report.
+namespace underway::bench {
+
+/// What every part is given.
+struct LocalBench {
+  const LocalOptions& options;
+  std::shared_ptr<const Robot> robot;  ///< NAO with its lidar at the waist
+  std::function<void(double)> progress;
+
+  /// As many seeds as the figure asks for, or a small share of them.
+  [[nodiscard]] unsigned long seeds(unsigned long all) const { return options.quick ? (all + 19) / 20 : all; }
+};
+
+/// The closed form of the heading against a numerical minimiser; a tick's time.
+[[nodiscard]] Expected<void> addHeading(const LocalBench& bench, Report& report);
+/// GODZILA without a plan: arenas, gaps, a wall, a U.
+[[nodiscard]] Expected<void> addPure(const LocalBench& bench, Report& report);
+/// Plans executed in the rooms of maps/, also with doubled noise.
+[[nodiscard]] Expected<void> addPlans(const LocalBench& bench, Report& report);
+/// The same with things in the way that the map does not have.
+[[nodiscard]] Expected<void> addUnmapped(const LocalBench& bench, Report& report);
+/// Gaps that leave a body 6 cm, for each mode.
+[[nodiscard]] Expected<void> addTight(const LocalBench& bench, Report& report);
+
+}  // namespace underway::bench

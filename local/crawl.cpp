@@ -1,0 +1,49 @@
+#include "local/crawl.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace underway {
+
+CrawlSettings papersTrigger() {
+  CrawlSettings settings;
+  settings.fixed = FixedCycles{};
+  return settings;
+}
+
+Passage passageFrom(const Plan& plan, const Robot& robot, std::size_t down) {
+  const double standing_m = robot.modes.front().body_m.z.max;
+  Passage passage{down, 0.0, kClearanceCap_m, 0.0, 0.0};
+  for (std::size_t i = down; i < plan.segments.size(); ++i) {
+    const Motion& motion = plan.segments[i].motion;
+    if (i > down && robot.modes[motion.mode].body_m.z.max >= standing_m) break;  // it has got up
+    passage.slack_m = std::min(passage.slack_m, plan.segments[i].closeness.clearance_m);
+    passage.length_m += length(motion);
+  }
+  // A third of the slack each for position and heading; what is left is for the crawl's own drift.
+  passage.tolerance_m = std::clamp(passage.slack_m / 3.0, 0.006, 0.03);
+  passage.tolerance_rad = std::clamp(passage.slack_m / 3.0 / std::max(passage.length_m, 0.3), 0.008, 0.05);
+  return passage;
+}
+
+Pose entryOf(const Passage& passage, const Plan& plan, double drift_rad_per_m) {
+  Pose entry = plan.segments[passage.down].motion.from;
+  entry.yaw = normalizedAngle(entry.yaw - 0.5 * drift_rad_per_m * passage.length_m);
+  return entry;
+}
+
+bool hasRoomUp(const Checker& checker, const Switch& up, const Pose& at, double unsure_m) {
+  constexpr double kAcross = 0.5;  // it is surer of its place across
+  const double margin = std::max(kAcross * unsure_m, 0.01);
+  // The box is longer than the doubt is wide: what is free at both ends is free between them.
+  const Motion back = translate(up.from, Sense::kBackward, at, unsure_m);
+  const Motion on = translate(up.from, Sense::kForward, at, unsure_m);
+  return checker.isFree(switchModes(up, back.to), margin) && checker.isFree(switchModes(up, on.to), margin);
+}
+
+double unsureAfter(int cycles, const CrawlSettings& settings) {
+  const double slipped = settings.stroke_m * settings.kept_sigma * std::sqrt(static_cast<double>(cycles));
+  return settings.sigmas * std::hypot(settings.fix_sigma_m, slipped);
+}
+
+}  // namespace underway

@@ -1,0 +1,200 @@
+#include "local/executor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace underway {
+
+Executor::Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings)
+    : robot_(std::move(robot)),
+      settings_(settings),
+      limits_(standingLimits(*robot_)),
+      belief_(settings.belief),
+      follow_(settings.follow, robot_, Beams{}),
+      surroundings_(settings.surroundings, robot_) {}
+
+void Executor::follow(Plan plan, std::shared_ptr<const World> world, const World& map) {
+  surroundings_.expect(map, plan);
+  checker_ = std::make_shared<const Checker>(std::move(world), robot_);
+  plan_ = std::move(plan);
+  segment_ = 0;
+  state_ = State::kIdle;
+  if (!has_pose_ && !plan_.segments.empty()) belief_.set(plan_.segments.front().motion.from);
+  beginSegment();
+}
+
+void Executor::stop() {
+  plan_ = {};
+  checker_.reset();
+  segment_ = 0;
+  state_ = State::kIdle;
+}
+
+Tick Executor::tick(const Senses& senses) {
+  believe(senses);
+  surroundings_.see(senses, belief_.pose());
+  finishSegments(senses);
+  watchProgress();
+  const State before = state_;
+  state_ = transition(state_, situation(senses));
+  if (state_ != before) idle_s_ = 0.0, aligned_ticks_ = 0;
+  last_ = commandFor(senses);
+  return {last_, state_};
+}
+
+// --- belief
+// -------------------------------------------------------------------------------------------------
+
+void Executor::believe(const Senses& senses) {
+  if (!has_pose_ && senses.pose) belief_.set(senses.pose->pose), has_pose_ = true;
+  if (senses.mode != mode_) {
+    if (const Switch* change = robot_->findSwitch(mode_, senses.mode)) belief_.jump(change->displacement);
+    mode_ = senses.mode;
+    crawled_ = 0;
+  }
+  const double tick = settings_.tick_s;
+  if (!isLow(mode_))
+    belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
+  if (senses.cycles != cycles_) {
+    const auto made = static_cast<int>(senses.cycles - cycles_);
+    belief_.move(made * stride_ * settings_.crawl.kept * settings_.crawl.stroke_m, 0.0, 0.0);
+    cycles_ = senses.cycles;
+    crawled_ += made;
+    is_stroke_ = false;
+  }
+  stroke_s_ = is_stroke_ ? stroke_s_ + tick : 0.0;
+  belief_.correct(senses);
+  const bool should_know = !isLow(mode_) && !senses.is_switching;
+  silent_s_ = should_know && !senses.pose ? silent_s_ + tick : 0.0;
+}
+
+// --- where in the plan
+// ----------------------------------------------------------------------------------------
+
+const Segment* Executor::current() const {
+  return segment_ < plan_.segments.size() ? &plan_.segments[segment_] : nullptr;
+}
+
+bool Executor::isLow(ModeId mode) const {
+  return robot_->modes[mode].body_m.z.max < robot_->modes.front().body_m.z.max;
+}
+
+Next Executor::next() const {
+  const Segment* segment = current();
+  if (segment == nullptr) return Next::kNothing;
+  const Motion& motion = segment->motion;
+  if (motion.kind != MotionKind::kSwitch) return isLow(motion.mode) ? Next::kCrawl : Next::kMove;
+  if (isLow(motion.mode) == isLow(motion.to_mode)) return Next::kMove;
+  return isLow(motion.to_mode) ? Next::kDown : Next::kUp;
+}
+
+void Executor::beginSegment() {
+  best_progress_ = -1.0;
+  idle_s_ = 0.0;
+  shift_m_ = 0.0;
+  if (const Segment* segment = current()) {
+    follow_.begin(*segment, belief_.pose(), *checker_);
+    if (next() == Next::kDown) passage_ = passageFrom(plan_, *robot_, segment_);
+  }
+}
+
+bool Executor::isDone(const Segment& segment, const Senses& senses) const {
+  const Motion& motion = segment.motion;
+  if (motion.kind == MotionKind::kSwitch) return !senses.is_switching && senses.mode == motion.to_mode;
+  if (!isLow(motion.mode)) return state_ == State::kWalking && follow_.isDone(segment, belief_.pose());
+  if (const auto& fixed = settings_.crawl.fixed) return !is_stroke_ && crawled_ >= fixed->cycles;
+  constexpr double kShort_m = 0.02;  // a stroke shorter than this is not worth it
+  return !is_stroke_ && onLane(motion, belief_.pose()).along_m > length(motion) - kShort_m;
+}
+
+void Executor::finishSegments(const Senses& senses) {
+  while (current() != nullptr && isDone(*current(), senses)) {
+    ++segment_;
+    beginSegment();
+  }
+}
+
+void Executor::watchProgress() {
+  constexpr double kProgress = 0.003;  // [m], [rad]
+  idle_s_ += settings_.tick_s;
+  if (next() != Next::kMove || current()->motion.kind == MotionKind::kSwitch) return;
+  const double progress = follow_.progress(*current(), belief_.pose());
+  if (progress < best_progress_ + kProgress) return;
+  best_progress_ = progress;
+  idle_s_ = 0.0;
+}
+
+// --- the situation
+// --------------------------------------------------------------------------------------------
+
+Situation Executor::situation(const Senses& senses) {
+  Situation is;
+  is.has_plan = checker_ != nullptr;
+  is.has_fallen = senses.has_fallen;
+  is.is_settled = belief_.fixes() >= settings_.settled_fixes;
+  is.is_lost = silent_s_ > settings_.lost_after_s;
+  is.is_switching = senses.is_switching;
+  is.next = next();
+  if (state_ == State::kWalking || state_ == State::kAligning) is.is_blocked = isBlocked();
+  if (is.next == Next::kDown && state_ == State::kAligning) is.is_aligned = isAligned();
+  if (is.next == Next::kUp && state_ == State::kCrawling) is.has_room_up = hasRoomUpHere();
+  if (state_ == State::kCrawling) is.is_stalled = !is.has_room_up && isStalled();
+  return is;
+}
+
+bool Executor::isBlocked() {
+  const Segment* segment = current();
+  if (segment == nullptr) return false;
+  constexpr double kPatience = 4.0;  // aligning takes longer
+  if (idle_s_ > settings_.stuck_after_s * (state_ == State::kAligning ? kPatience : 1.0)) return true;
+  const Motion& motion = segment->motion;
+  if (motion.kind == MotionKind::kTurn) return surroundings_.isTurnBlocked(belief_.pose());
+  if (motion.kind == MotionKind::kSwitch) return isPassageBlocked();
+  if (isLow(motion.mode)) return false;
+  const double along = onLane(motion, belief_.pose()).along_m;
+  const auto shift = surroundings_.shiftAround(motion, along, follow_.allowance());
+  shift_m_ = shift.value_or(0.0);
+  return !shift;
+}
+
+// --- commands
+// -------------------------------------------------------------------------------------------------
+
+Command Executor::commandFor(const Senses& senses) {
+  switch (state_) {
+    case State::kWalking:
+      if (current()->motion.kind == MotionKind::kSwitch) return {{}, current()->motion.to_mode};
+      return {walkOn(senses), std::nullopt, lookRad()};
+    case State::kAligning:
+      return {surroundings_.guarded(holdAt(entryOf(passage_, plan_, belief_.drift()), belief_.pose(),
+                                           settings_.follow.hold, limits_)),
+              std::nullopt};
+    case State::kGoingDown:
+    case State::kGettingUp:
+      if (senses.is_switching || current() == nullptr) return {};
+      return {{}, current()->motion.to_mode};
+    case State::kCrawling:
+      return {crawlOn(), std::nullopt};
+    default:
+      return {};
+  }
+}
+
+Velocity Executor::walkOn(const Senses& senses) {
+  return surroundings_.guarded(follow_.along(*current(), belief_.pose(), senses.scan, shift_m_));
+}
+
+/// Where the robot goes.
+double Executor::lookRad() const {
+  const Motion& motion = current()->motion;
+  constexpr double kIntoTurn_rad = 0.8;
+  if (motion.kind == MotionKind::kTurn) return std::copysign(kIntoTurn_rad, motion.angle_rad);
+  return angleOf(motion.sense);
+}
+
+std::vector<Point> Executor::surprises() const {
+  constexpr double kReach_m = 2.5;
+  return surroundings_.surprisesNear(belief_.pose().position(), kReach_m);
+}
+
+}  // namespace underway

@@ -1,0 +1,75 @@
+// The executor's part in low passages: when to lie down, how to crawl, when to get up.
+
+#include <algorithm>
+#include <cmath>
+
+#include "local/executor.hpp"
+
+namespace underway {
+
+/// Whether something unmapped stands where it is to lie down, or along the crawl as far as it was seen.
+bool Executor::isPassageBlocked() const {
+  if (next() != Next::kDown) return false;
+  const Motion& down = current()->motion;
+  const Switch* change = robot_->findSwitch(down.mode, down.to_mode);
+  if (change != nullptr && surroundings_.isBoxBlocked(change->body_m, belief_.pose())) return true;
+  for (std::size_t i = segment_ + 1; i < plan_.segments.size(); ++i) {
+    const Motion& motion = plan_.segments[i].motion;
+    if (motion.kind == MotionKind::kSwitch) break;
+    if (isLow(motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
+  }
+  return false;
+}
+
+bool Executor::isAligned() {
+  if (settings_.crawl.fixed) return true;
+  const Pose entry = entryOf(passage_, plan_, belief_.drift());
+  Motion lane = current()->motion;
+  const OnLane off = onLane(lane, belief_.pose());
+  constexpr double kAlong_m = 0.02;  // along the passage it matters less
+  const bool is_in = std::abs(off.left_m) < passage_.tolerance_m && std::abs(off.along_m) < kAlong_m &&
+                     std::abs(normalizedAngle(belief_.pose().yaw - entry.yaw)) < passage_.tolerance_rad;
+  aligned_ticks_ = is_in ? aligned_ticks_ + 1 : 0;
+  return aligned_ticks_ >= settings_.crawl.aligned_ticks;
+}
+
+bool Executor::hasRoomUpHere() const {
+  if (settings_.crawl.fixed) return !is_stroke_;
+  const Switch* up = robot_->findSwitch(current()->motion.mode, current()->motion.to_mode);
+  return !is_stroke_ && hasRoomUp(*checker_, *up, belief_.pose(), unsureAfter(crawled_, settings_.crawl));
+}
+
+bool Executor::isStalled() const {
+  if (is_stroke_) return stroke_s_ > settings_.crawl.stall_s;
+  if (next() == Next::kUp) return !mayCrawlOn();
+  const Segment* segment = current();
+  return segment != nullptr && next() == Next::kCrawl &&
+         surroundings_.isLaneBlocked(segment->motion, onLane(segment->motion, belief_.pose()).along_m);
+}
+
+/// Beyond the planned end, looking for room to get up.
+bool Executor::mayCrawlOn() const {
+  const Pose& here = belief_.pose();
+  constexpr double kMargin_m = 0.005;
+  return distance(here.position(), current()->motion.from.position()) < settings_.crawl.longest_extra_m &&
+         checker_->isFree(translate(mode_, Sense::kForward, here, settings_.crawl.stroke_m), kMargin_m);
+}
+
+/// One stroke after the other; the last one is shorter, so that it ends where it should.
+Velocity Executor::crawlOn() {
+  const double top = robot_->modes[mode_].speed(Sense::kForward);
+  if (!is_stroke_) {
+    const Segment* segment = current();
+    if (segment == nullptr) return {};
+    const double whole = settings_.crawl.stroke_m * settings_.crawl.kept;
+    const double left = next() == Next::kCrawl
+                            ? length(segment->motion) - onLane(segment->motion, belief_.pose()).along_m
+                            : whole;
+    constexpr double kShortest = 0.25;
+    stride_ = settings_.crawl.fixed ? 1.0 : std::clamp(left / whole, kShortest, 1.0);
+    is_stroke_ = true;
+  }
+  return {stride_ * top, 0.0, 0.0};
+}
+
+}  // namespace underway

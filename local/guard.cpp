@@ -1,0 +1,82 @@
+#include "local/guard.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace underway {
+namespace {
+
+constexpr double kFastest_mps = 0.2;  // of any robot this is for; a faster one needs a wider view
+
+double distanceTo(const BodyBox& body, Point p) {
+  const double dx = std::max({body.x.min - p.x, 0.0, p.x - body.x.max});
+  const double dy = std::max({body.y.min - p.y, 0.0, p.y - body.y.max});
+  if (dx > 0.0 || dy > 0.0) return std::hypot(dx, dy);
+  return std::max({body.x.min - p.x, p.x - body.x.max, body.y.min - p.y, p.y - body.y.max});
+}
+
+}  // namespace
+
+Guard::Guard(const GuardSettings& settings, const BodyBox& body, std::size_t most_points)
+    : settings_(settings),
+      body_(body),
+      near_m_(std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max)) +
+              settings.margin_m + settings.horizon_s * kFastest_mps) {
+  points_.reserve(most_points);
+}
+
+void Guard::look(const Scan& scan) {
+  forEachBeam(scan.beams, 0.0, [&](std::size_t i, Point direction) {
+    const double range = scan.ranges_m[i];
+    if (range <= near_m_) add({range * direction.x, range * direction.y});
+  });
+}
+
+void Guard::add(Point point) {
+  if (points_.size() < points_.capacity()) points_.push_back(point);
+}
+
+double Guard::distanceAfter(const Velocity& velocity, double time_s) const {
+  const double turned = velocity.turn_radps * time_s;
+  const double c = std::cos(turned);
+  const double s = std::sin(turned);
+  std::array<double, kMostOutliers + 1> nearest{};  // ascending
+  const std::size_t count = std::min(settings_.outliers, kMostOutliers) + 1;
+  std::fill_n(nearest.begin(), count, near_m_);
+  for (const Point p : points_) {
+    const double x = p.x - velocity.x_mps * time_s;
+    const double y = p.y - velocity.y_mps * time_s;
+    const double away = distanceTo(body_, {c * x + s * y, c * y - s * x});
+    if (away >= nearest[count - 1]) continue;
+    std::size_t at = count - 1;
+    for (; at > 0 && nearest[at - 1] > away; --at) nearest[at] = nearest[at - 1];
+    nearest[at] = away;
+  }
+  return nearest[count - 1];
+}
+
+Velocity Guard::allowed(const Velocity& wanted) const {
+  if (points_.empty()) return wanted;
+  constexpr double kSlack_m = 1e-4;
+  const double needed = std::min(settings_.margin_m, distanceAfter({}, 0.0) - kSlack_m);
+  const auto scaled = [&](double way, double turn) {
+    return Velocity{way * wanted.x_mps, way * wanted.y_mps, turn * wanted.turn_radps};
+  };
+  for (const Velocity& candidate : {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2),
+                                    scaled(0.0, 1.0), scaled(0.0, 0.3), scaled(0.3, 0.0)})
+    if (distanceAfter(candidate, settings_.horizon_s) >= needed) return candidate;
+  return {};
+}
+
+Velocity Guard::retreat(double speed_mps) const {
+  Point nearest{0.0, 0.0};
+  double least = near_m_;
+  for (const Point p : points_)
+    if (const double d = distanceTo(body_, p); d < least) least = d, nearest = p;
+  const double range = std::hypot(nearest.x, nearest.y);
+  if (range == 0.0) return {};
+  return {-speed_mps * nearest.x / range, -speed_mps * nearest.y / range, 0.0};
+}
+
+}  // namespace underway

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/box.hpp"
+#include "geometry/pose.hpp"
+#include "local/command.hpp"
+#include "local/scan.hpp"
+
+namespace underway {
+
+struct GuardSettings {
+  double margin_m = 0.04;    ///< kept between body and what was seen [m]
+  double horizon_s = 1.0;    ///< how far ahead a velocity is looked at [s]
+  std::size_t outliers = 0;  ///< so many points may be nearer, kMostOutliers at most
+};
+
+/// The last word on a velocity: never one that brings the body nearer to what was seen than a margin. Knows
+/// neither goals nor plans. Bounded time; allocates only when made.
+class Guard {
+ public:
+  static constexpr std::size_t kMostOutliers = 63;
+  Guard(const GuardSettings& settings, const BodyBox& body, std::size_t most_points);
+
+  /// What was seen this tick, in the body frame; only what is near is kept.
+  void look(const Scan& scan);
+  void add(Point point);
+  void clear() { points_.clear(); }
+
+  /// The wanted velocity, a share of it, its turn alone, or none. Nearer than the margin already, what does
+  /// not bring it nearer is allowed.
+  [[nodiscard]] Velocity allowed(const Velocity& wanted) const;
+  /// From the body to the nearest point that is no outlier, after moving at a velocity for a time [m].
+  /// Negative inside the body.
+  [[nodiscard]] double distanceAfter(const Velocity& velocity, double time_s) const;
+  /// Straight away from the nearest point, at a speed [m/s].
+  [[nodiscard]] Velocity retreat(double speed_mps) const;
+
+ private:
+  GuardSettings settings_;
+  BodyBox body_;
+  double near_m_;  // further points cannot matter
+  std::vector<Point> points_;
+};
+
+}  // namespace underway

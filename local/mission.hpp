@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "local/executor.hpp"
+
+namespace underway {
+
+/// Where plans come from: the planner in this process, or a server. Given what to plan and the world as the
+/// robot knows it; errors as of Planner::plan, kNoServer when nobody answers.
+using PlanSource = std::function<Expected<Plan>(const Request&, const std::shared_ptr<const World>&)>;
+
+/// Brings a robot to a goal: asks for a plan, has it executed, and when the world disagrees puts what was
+/// seen into the world and asks again, from where the robot is.
+class Mission {
+ public:
+  Mission(std::shared_ptr<const World> map, std::shared_ptr<const Robot> robot, Request request,
+          PlanSource source, const ExecutorSettings& settings = {});
+
+  enum class Outcome : std::uint8_t {
+    kUnderway,
+    kArrived,
+    kNoWay,      ///< blocked, and there is no plan round what was seen: reported with `why`
+    kNeedsHelp,  ///< fell, lost, or lies where it cannot get up
+  };
+  /// One tick; asks for a plan when it has to, which takes as long as the source does.
+  [[nodiscard]] Tick tick(const Senses& senses);
+
+  [[nodiscard]] Outcome outcome() const { return outcome_; }
+  /// A sentence on what ended it, or on what it waits for.
+  [[nodiscard]] const std::string& why() const { return why_; }
+  [[nodiscard]] const Executor& executor() const { return executor_; }
+  [[nodiscard]] const std::shared_ptr<const World>& world() const { return world_; }
+  [[nodiscard]] int plans() const { return plans_; }
+
+ private:
+  void ask(const Senses& senses);
+  [[nodiscard]] Expected<Plan> planFromHere();
+  [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(
+      const std::shared_ptr<const World>& base) const;
+  void countInPlace();
+  void refused(const Error& error, double now_s);
+
+  std::shared_ptr<const World> map_;
+  std::shared_ptr<const World> world_;
+  std::shared_ptr<const Robot> robot_;
+  Request request_;
+  PlanSource source_;
+  Executor executor_;
+  Outcome outcome_ = Outcome::kUnderway;
+  std::string why_;
+  int plans_ = 0;
+  int refusals_ = 0;
+  int in_place_ = 0;  // plans asked for from one place
+  Point asked_at_;
+  double again_s_ = 0.0;  // when to ask again
+  double lost_s_ = 0.0;
+};
+
+}  // namespace underway

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/checker.hpp"
+#include "local/command.hpp"
+#include "local/guard.hpp"
+#include "local/map_view.hpp"
+#include "local/senses.hpp"
+#include "local/window.hpp"
+#include "planner/plan.hpp"
+
+namespace underway {
+
+struct SurroundingsSettings {
+  double round_m = 2.5;          ///< how far round the plan the map is looked at [m]
+  double believed_m = 2.5;       ///< what is seen further away is not sure enough to act upon [m]
+  double sensor_sigma_m = 0.01;  ///< of what is near [m]
+  double ahead_m = 1.0;          ///< how far ahead the lane has to be free of what is unmapped [m]
+  double lane_margin_m = 0.03;   ///< to either side of the body [m]
+};
+
+/// What the robot sees that the map does not have, and what it must not run into.
+class Surroundings {
+ public:
+  Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
+
+  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept, and known
+  /// to whoever made the plan: it blocks nothing from now on, but the guard still keeps off it.
+  void expect(const World& map, const Plan& plan);
+  /// What the senses tell, seen from a believed pose.
+  void see(const Senses& senses, const Pose& from);
+
+  /// Whether something unmapped stands in the lane of a translation, from so far along it, shifted to the
+  /// left.
+  [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m, double shift_m = 0.0) const;
+  /// Whether something unmapped stands where the body turns about a point.
+  [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
+  /// Whether something unmapped stands in a box round a pose: a switch's.
+  [[nodiscard]] bool isBoxBlocked(const BodyBox& box, const Pose& at) const;
+  /// The smallest shift of the lane, at most `most_m` to either side, that is free; empty if none is.
+  [[nodiscard]] std::optional<double> shiftAround(const Motion& translation, double along_m,
+                                                  double most_m) const;
+  /// The velocity as far as what is seen allows it: unmapped things are kept off by a margin; of mapped ones,
+  /// which the plan passes as near as it says, only the body itself.
+  [[nodiscard]] Velocity guarded(const Velocity& wanted) const;
+
+  /// Where something unmapped was seen near a point: one for each cell.
+  [[nodiscard]] std::vector<Point> surprisesNear(Point at, double reach_m) const;
+
+ private:
+  void addWhatWasSeen(const Pose& from);
+  void look(const Scan& scan, const MapView& map, const Pose& from);
+
+  SurroundingsSettings settings_;
+  std::shared_ptr<const Robot> robot_;
+  MapView waist_map_;
+  MapView head_map_;
+  MapView depth_map_;
+  Window window_;
+  Guard against_unmapped_;
+  Guard against_all_;
+  std::size_t turn_ = 0;  // which of the beams are looked at for what is free
+};
+
+}  // namespace underway

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/pose.hpp"
+#include "local/scan.hpp"
+
+namespace underway {
+
+/// A grid of what was seen lately, that slides along with the robot: 6.4 x 6.4 m in cells of 5 cm. What
+/// slides out is forgotten. A cell remembers how often something was seen in it; beams that pass through it
+/// take that back. Every tick a part of the beams is looked at for that, so time is bounded; allocates only
+/// when made. Points are in any one frame that stands still: the map's, or that of dead reckoning.
+class Window {
+ public:
+  static constexpr std::size_t kCells = 128;
+  static constexpr double kCell_m = 0.05;
+  static constexpr std::uint8_t kSure = 3;  ///< seen so often, something stands there
+  static constexpr std::uint8_t kMost = 6;  ///< more is not counted
+
+  Window() : cells_(kCells * kCells) {}
+
+  /// Moves along with the robot: it is in the middle, but for a cell.
+  void slideTo(Point at);
+  /// Something was seen at a point; outside the window it is passed over.
+  void hit(Point at);
+  /// Nothing stands between two points, but near the second: the cells between them are seen less.
+  void pass(Point from, Point to);
+  /// Whether something stands in the cell of a point.
+  [[nodiscard]] bool isOccupied(Point at) const;
+  /// From now on the occupied cells are known: whoever plans has been told of them.
+  void markKnown();
+  void clear() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
+
+  /// Calls `visit(at, is_known)` for each occupied cell within a distance of a point along both axes, with
+  /// the mean of what was seen in it.
+  template <class Visit>
+  void visitOccupied(Point round, double reach_m, const Visit& visit) const;
+
+ private:
+  struct Place {
+    std::int64_t x;
+    std::int64_t y;
+  };
+  struct Cell {
+    std::uint8_t hits = 0;
+    bool is_known = false;
+    float x_m = 0.0F;  // mean of what was seen in it, from its corner: surer than the cell
+    float y_m = 0.0F;
+  };
+  [[nodiscard]] static Place placeOf(Point at);
+  [[nodiscard]] bool isInside(Place place) const {
+    constexpr auto kWide = static_cast<std::int64_t>(kCells);
+    return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
+           place.y < corner_.y + kWide;
+  }
+  /// Modulo kCells, a power of two, also of what is negative.
+  [[nodiscard]] static std::size_t wrapped(std::int64_t at) {
+    return static_cast<std::size_t>(at) & (kCells - 1);
+  }
+  [[nodiscard]] static std::size_t indexOf(Place place) {
+    return wrapped(place.y) * kCells + wrapped(place.x);
+  }
+  void forgetColumn(std::int64_t x);
+  void forgetRow(std::int64_t y);
+
+  std::vector<Cell> cells_;  // a torus: a cell's index is its place modulo kCells
+  Place corner_{-static_cast<std::int64_t>(kCells) / 2, -static_cast<std::int64_t>(kCells) / 2};
+};
+
+template <class Visit>
+void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
+  const Place low = placeOf({round.x - reach_m, round.y - reach_m});
+  const Place high = placeOf({round.x + reach_m, round.y + reach_m});
+  for (std::int64_t y = low.y; y <= high.y; ++y)
+    for (std::int64_t x = low.x; x <= high.x; ++x)
+      if (const Cell cell = isInside({x, y}) ? cells_[indexOf({x, y})] : Cell{}; cell.hits >= kSure)
+        visit(Point{static_cast<double>(x) * kCell_m + cell.x_m, static_cast<double>(y) * kCell_m + cell.y_m},
+              cell.is_known);
+}
+
+/// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that
+/// GODZILA keeps away from where it was trapped. A disc that the robot stands in is not there until it has
+/// left it. The oldest gives way to the newest; what is further than the window reaches is forgotten.
+class VirtualObstacles {
+ public:
+  void add(Point at, double radius_m);
+  /// The scan as it would be if the discs stood there, from a pose in their frame.
+  void shorten(Scan& scan, const Pose& from);
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+  struct Disc {
+    Point at;
+    double radius_m = 0.0;
+  };
+  std::array<Disc, kMost> discs_{};
+  std::size_t size_ = 0;
+  std::size_t oldest_ = 0;
+};
+
+}  // namespace underway

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "geometry/checker.hpp"
+#include "local/command.hpp"
+#include "local/senses.hpp"
+#include "sim/lidar.hpp"
+
+namespace underway::sim {
+
+/// How a real robot falls short of its commands and its sensors of the truth.
+struct Flaws {
+  double pose_sigma_m = 0.015;             ///< of the pose that is told, each axis [m]
+  double pose_sigma_rad = 0.01745;         ///< [rad]
+  int late_ticks = 1;                      ///< how old the pose is
+  double stroke_lost = 0.13;               ///< share of a crawl's stroke that slips, mean
+  double stroke_sigma = 0.05;              ///< of each cycle's share
+  double drift_rad_per_m = 0.0349;         ///< heading drift while moving, mean of its size; either side
+  double drift_sigma_rad_per_m = 0.01745;  ///< of its size, from run to run
+  double lidar_scale = 1.0;                ///< times the lidar's sigma
+
+  /// All noise times a factor; the mean of the lost stroke is no noise and stays.
+  [[nodiscard]] Flaws times(double factor) const;
+};
+
+/// What only the judge knows.
+struct Truth {
+  Pose pose;
+  ModeId mode = 0;
+  bool has_collided = false;
+  std::string with;      ///< the first obstacle it touched
+  double moved_m = 0.0;  ///< length of the way so far
+};
+
+/// A robot that walks, sidesteps, turns and crawls in a world, within its gaits' speed limits. Every tick's
+/// motion is made of a turn and two translations, and each of them, and every switch's box, is checked
+/// exactly against the true world (geometry/checker.hpp); nobody who drives it sees that. The same seed and
+/// commands give the same run.
+class SimulatedRobot {
+ public:
+  static constexpr double kTick_s = 0.1;
+
+  /// `truth` is the world as it is, mapped or not.
+  SimulatedRobot(std::shared_ptr<const World> truth, std::shared_ptr<const Robot> robot, const Pose& start,
+                 ModeId mode, std::uint64_t seed, const Flaws& flaws = {});
+
+  /// What its senses tell now; the scan is kept in the robot until the next call.
+  [[nodiscard]] const Senses& sense();
+  /// Does what it is told for one tick.
+  void step(const Command& command);
+
+  [[nodiscard]] const Truth& truth() const { return truth_; }
+  [[nodiscard]] double now_s() const { return static_cast<double>(ticks_) * kTick_s; }
+
+  /// Things that go wrong: it lies on the floor until further notice; the localisation is gone; the crawl
+  /// only slips.
+  void fall() { has_fallen_ = true; }
+  void loseItself(bool is_lost) { is_lost_ = is_lost; }
+  void stall(bool is_stalled) { is_stalled_ = is_stalled; }
+
+ private:
+  void walk(const Velocity& velocity);
+  void crawl(double wanted_mps);
+  void beginSwitch(ModeId to);
+  void goOnSwitching();
+  [[nodiscard]] bool isLying() const;
+  void move(double x_m, double y_m, double turn_rad);
+  void check(const Motion& motion);
+
+  std::shared_ptr<const World> world_;
+  std::shared_ptr<const Robot> robot_;
+  Checker checker_;
+  std::optional<Lidar> waist_;
+  std::optional<Lidar> head_;
+  std::optional<Lidar> depth_;
+  SpeedLimits limits_;
+  Flaws flaws_;
+  std::mt19937_64 random_;
+  Truth truth_;
+  std::vector<Pose> past_;  // true poses, the newest last, as many as the pose is late
+  std::uint64_t ticks_ = 0;
+  double drift_rad_per_m_ = 0.0;
+  double look_rad_ = 0.0;
+  double switch_left_s_ = 0.0;
+  const Switch* switching_ = nullptr;
+  double cycle_left_s_ = 0.0;
+  double cycle_share_ = 0.0;  // of the stroke that this cycle keeps
+  std::uint64_t cycles_ = 0;
+  bool has_fallen_ = false;
+  bool is_lost_ = false;
+  bool is_stalled_ = false;
+  Senses senses_;
+  Scan scan_;
+  Scan depth_scan_;
+};
+
+}  // namespace underway::sim

@@ -1,0 +1,120 @@
+#include "local/executor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "sim/robot.hpp"
+#include "tests/planner/fixture.hpp"
+
+namespace underway {
+namespace {
+
+/// Scenario 3 executed with honest noise: round a wall and under a table.
+class Executing3 : public ::testing::Test {
+ protected:
+  Executing3() {
+    Planner planner(world_, test::nao());
+    plan_ = *planner.plan(test::requestFor(kStart, kGoal), test::soon());
+    dut_.follow(plan_, world_, *world_);
+  }
+
+  /// Until a state is reached, or so many ticks have passed; calls back before each step.
+  State runUntil(State state, int ticks, const std::function<void(const Tick&)>& each = {}) {
+    State now = dut_.state();
+    for (int k = 0; k < ticks && now != state; ++k) {
+      const Tick tick = dut_.tick(body_.sense());
+      now = tick.state;
+      if (each) each(tick);
+      body_.step(tick.command);
+    }
+    return now;
+  }
+
+  static constexpr Pose kStart{0.6, 2.0, 0.0};
+  static constexpr Pose kGoal{5.4, 2.0, 0.0};
+  std::shared_ptr<const World> world_ = test::ourWorld("scenario3");
+  sim::SimulatedRobot body_{world_, test::nao(), kStart, 0, 11};
+  Plan plan_;
+  Executor dut_{test::nao()};
+};
+
+TEST_F(Executing3, ArrivesWithin5CmAnd5DegreesAndTouchesNothing) {
+  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
+  EXPECT_FALSE(body_.truth().has_collided) << body_.truth().with;
+  EXPECT_LT(distance(body_.truth().pose.position(), kGoal.position()), 0.05);
+  EXPECT_LT(std::abs(normalizedAngle(body_.truth().pose.yaw - kGoal.yaw)), 0.087);
+}
+
+TEST_F(Executing3, GoesDownOnceAndUpOnce) {
+  int switches = 0;
+  State last = State::kIdle;
+  runUntil(State::kArrived, 5000, [&](const Tick& tick) {
+    if (tick.state != last && (tick.state == State::kGoingDown || tick.state == State::kGettingUp))
+      ++switches;
+    last = tick.state;
+  });
+  EXPECT_EQ(switches, 2);
+}
+
+TEST_F(Executing3, NeverGetsUpUnderTheTable) {
+  runUntil(State::kGettingUp, 5000);
+  const Switch& up = *test::nao()->findSwitch(2, 0);
+  EXPECT_TRUE(Checker(world_, test::nao()).isFree(switchModes(up, body_.truth().pose), 0.0));
+}
+
+TEST_F(Executing3, SendsNoVelocityThatANaoCannotWalk) {
+  const SpeedLimits limits = standingLimits(*test::nao());
+  runUntil(State::kGoingDown, 5000, [&](const Tick& tick) {
+    EXPECT_LE(std::abs(tick.command.velocity.x_mps), limits.forward_mps + 1e-12);
+    EXPECT_LE(std::abs(tick.command.velocity.y_mps), limits.left_mps + 1e-12);
+    EXPECT_LE(std::abs(tick.command.velocity.turn_radps), limits.turn_radps + 1e-12);
+  });
+}
+
+TEST_F(Executing3, StandsStillWhileItIsLostAndGoesOnAfterwards) {
+  runUntil(State::kWalking, 100);
+  body_.loseItself(true);
+  EXPECT_EQ(runUntil(State::kLost, 30), State::kLost);
+  const Pose there = body_.truth().pose;
+  for (int k = 0; k < 50; ++k) body_.step(dut_.tick(body_.sense()).command);
+  EXPECT_EQ(body_.truth().pose, there);
+  body_.loseItself(false);
+  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
+  EXPECT_FALSE(body_.truth().has_collided);
+}
+
+TEST_F(Executing3, SendsNothingAfterAFall) {
+  runUntil(State::kWalking, 100);
+  body_.fall();
+  EXPECT_EQ(runUntil(State::kFallen, 3), State::kFallen);
+  EXPECT_EQ(dut_.tick(body_.sense()).command, Command{});
+}
+
+TEST_F(Executing3, TellsACrawlThatDoesNotProgress) {
+  runUntil(State::kCrawling, 5000);
+  body_.stall(true);
+  EXPECT_EQ(runUntil(State::kStalled, 400), State::kStalled);
+  EXPECT_EQ(dut_.tick(body_.sense()).command, Command{});
+}
+
+TEST_F(Executing3, CountsCyclesByTheirProgressAndNotByTime) {
+  runUntil(State::kCrawling, 5000);
+  body_.stall(true);  // for less than it waits
+  for (int k = 0; k < 60; ++k) body_.step(dut_.tick(body_.sense()).command);
+  body_.stall(false);
+  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
+  EXPECT_FALSE(body_.truth().has_collided);
+}
+
+TEST_F(Executing3, StandsStillWithoutAPlan) {
+  runUntil(State::kWalking, 100);
+  dut_.stop();
+  const Tick tick = dut_.tick(body_.sense());
+  EXPECT_EQ(tick.state, State::kIdle);
+  EXPECT_EQ(tick.command, Command{});
+}
+
+}  // namespace
+}  // namespace underway

@@ -1,0 +1,98 @@
+#include "local/mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+#include "bench/local_courses.hpp"
+#include "tests/planner/fixture.hpp"
+
+namespace underway {
+namespace {
+
+using Outcome = Mission::Outcome;
+
+/// Drives until the mission ends or the time is over.
+Outcome drive(Mission& mission, sim::SimulatedRobot& body, double limit_s) {
+  while (mission.outcome() == Outcome::kUnderway && body.now_s() < limit_s)
+    body.step(mission.tick(body.sense()).command);
+  return mission.outcome();
+}
+
+const Pose kStart{0.6, 0.6, 0.0};
+const Pose kGoal{4.4, 0.6, 0.0};
+std::shared_ptr<const World> roomWith(std::vector<Obstacle> obstacles) {
+  return std::make_shared<const World>(*World::make("room", {{0, 0, 0}, 5, 3}, 0.0, std::move(obstacles)));
+}
+const Obstacle kBox{"box", {{2.5, 0.6, 0.4}, {0.3, 0.5, 0.8}, {}}};
+const Obstacle kWall{"wall", {{2.5, 1.5, 0.4}, {0.1, 2.98, 0.8}, {}}};
+
+/// A planner in this process, and how often it was asked.
+struct Source {
+  std::shared_ptr<const Robot> robot = test::nao();
+  int asked = 0;
+  Expected<Plan> operator()(const Request& request, const std::shared_ptr<const World>& world) {
+    ++asked;
+    return Planner(world, robot).findPlan(request, Planner::Clock::now() + std::chrono::seconds(1));
+  }
+};
+
+TEST(Mission, GoesRoundWhatIsNotInTheMap) {
+  const auto map = roomWith({});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), std::ref(source));
+  sim::SimulatedRobot body(roomWith({kBox}), test::nao(), kStart, 0, 1);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived) << dut.why();
+  EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_LT(distance(body.truth().pose.position(), kGoal.position()), 0.05);
+}
+
+TEST(Mission, ReportsThatThereIsNoWayRound) {
+  const auto map = roomWith({});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), std::ref(source));
+  sim::SimulatedRobot body(roomWith({kWall}), test::nao(), kStart, 0, 1);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kNoWay);
+  EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_FALSE(dut.why().empty());
+  EXPECT_GT(dut.world()->obstacles().size(), 0U);  // what was seen is in the world
+}
+
+TEST(Mission, StandsStillWhileTheServerIsGoneAndAsksAgain) {
+  const auto map = roomWith({});
+  Source source;
+  int asked = 0;
+  const auto gone = [&](const Request& request, const std::shared_ptr<const World>& world) -> Expected<Plan> {
+    if (++asked <= 5) return fail(ErrorCode::kNoServer, "no server answers");
+    return source(request, world);
+  };
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), gone);
+  sim::SimulatedRobot body(map, test::nao(), kStart, 0, 1);
+  for (int k = 0; k < 30; ++k) body.step(dut.tick(body.sense()).command);
+  EXPECT_EQ(body.truth().pose, kStart);
+  EXPECT_EQ(dut.why(), "no server answers");
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived);
+}
+
+TEST(Mission, FollowsAPlanThatItHasWithoutTheServer) {
+  const auto map = roomWith({});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), std::ref(source));
+  sim::SimulatedRobot body(map, test::nao(), kStart, 0, 1);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived);
+  EXPECT_EQ(source.asked, 1);
+}
+
+TEST(Mission, WantsHelpWhenTheRobotHasFallen) {
+  const auto map = roomWith({});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), std::ref(source));
+  sim::SimulatedRobot body(map, test::nao(), kStart, 0, 1);
+  for (int k = 0; k < 100; ++k) body.step(dut.tick(body.sense()).command);
+  body.fall();
+  EXPECT_EQ(drive(dut, body, 60.0), Outcome::kNeedsHelp);
+}
+
+}  // namespace
+}  // namespace underway

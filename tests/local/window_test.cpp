@@ -1,0 +1,135 @@
+#include "local/window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace underway {
+namespace {
+
+constexpr Point kThere{1.02, -0.53};
+
+void hitOften(Window& window, Point at) {
+  for (int i = 0; i < Window::kSure; ++i) window.hit(at);
+}
+
+TEST(Window, IsSureOfWhatWasSeenOftenEnough) {
+  Window dut;
+  for (int i = 1; i < Window::kSure; ++i) dut.hit(kThere);
+  EXPECT_FALSE(dut.isOccupied(kThere));
+  dut.hit(kThere);
+  EXPECT_TRUE(dut.isOccupied(kThere));
+  EXPECT_FALSE(dut.isOccupied({kThere.x + 0.1, kThere.y}));
+}
+
+TEST(Window, TakesBackWhatIsSeenThrough) {
+  Window dut;
+  hitOften(dut, kThere);
+  dut.pass({0.0, 0.0}, {2.0 * kThere.x, 2.0 * kThere.y});
+  EXPECT_FALSE(dut.isOccupied(kThere));
+}
+
+TEST(Window, KeepsWhatABeamEndsOn) {
+  Window dut;
+  hitOften(dut, kThere);
+  for (int i = 0; i < 10; ++i) dut.pass({0.0, 0.0}, kThere);
+  EXPECT_TRUE(dut.isOccupied(kThere));
+}
+
+TEST(Window, KeepsWhatStaysInsideAsItSlides) {
+  Window dut;
+  hitOften(dut, kThere);
+  for (double x = 0.0; x < 3.0; x += 0.01) {
+    dut.slideTo({x, -x});
+    ASSERT_TRUE(dut.isOccupied(kThere)) << x;
+  }
+}
+
+TEST(Window, ForgetsWhatSlidesOutAndDoesNotFindItAgainElsewhere) {
+  Window dut;
+  hitOften(dut, kThere);
+  dut.slideTo({5.0, 0.0});
+  EXPECT_FALSE(dut.isOccupied(kThere));
+  int cells = 0;
+  dut.visitOccupied({5.0, 0.0}, 3.0, [&](Point, bool) { ++cells; });
+  EXPECT_EQ(cells, 0);
+  dut.slideTo({0.0, 0.0});
+  EXPECT_FALSE(dut.isOccupied(kThere));
+}
+
+TEST(Window, ForgetsAllAfterAJump) {
+  Window dut;
+  hitOften(dut, kThere);
+  dut.slideTo({100.0, 100.0});
+  dut.slideTo({0.0, 0.0});
+  EXPECT_FALSE(dut.isOccupied(kThere));
+}
+
+TEST(Window, PassesOverWhatIsOutside) {
+  Window dut;
+  hitOften(dut, {50.0, 0.0});
+  EXPECT_FALSE(dut.isOccupied({50.0, 0.0}));
+}
+
+TEST(Window, TellsWhatIsKnownFromWhatCameSince) {
+  Window dut;
+  hitOften(dut, kThere);
+  dut.markKnown();
+  hitOften(dut, {0.5, 0.5});
+  int known = 0;
+  int fresh = 0;
+  dut.visitOccupied({0.0, 0.0}, 2.0, [&](Point, bool is_known) { ++(is_known ? known : fresh); });
+  EXPECT_EQ(known, 1);
+  EXPECT_EQ(fresh, 1);
+}
+
+TEST(Window, TellsWhereInACellSomethingWasSeen) {
+  Window dut;
+  for (int i = 0; i < 50; ++i) dut.hit({1.001 + 0.0002 * (i % 5), 0.549});
+  dut.visitOccupied({1.0, 0.5}, 0.2, [](Point at, bool) {
+    EXPECT_NEAR(at.x, 1.0014, 1e-4);
+    EXPECT_NEAR(at.y, 0.549, 1e-4);
+  });
+}
+
+Scan openScan() {
+  Scan scan;
+  scan.ranges_m.assign(scan.beams.count, Scan::kNothing);
+  return scan;
+}
+
+TEST(VirtualObstacles, ShortenTheBeamsThatMeetThemAndNoOthers) {
+  VirtualObstacles dut;
+  dut.add({2.0, 0.0}, 0.3);
+  Scan scan = openScan();
+  dut.shorten(scan, {0.0, 0.0, 0.0});
+  for (std::size_t i = 0; i < scan.beams.count; ++i) {
+    const double bearing = scan.beams.bearing(i);
+    const double across = 2.0 * std::sin(bearing);
+    if (std::abs(bearing) < 1.5 && std::abs(across) < 0.299) {
+      ASSERT_NEAR(scan.ranges_m[i], 2.0 * std::cos(bearing) - std::sqrt(0.09 - across * across), 1e-6);
+    } else if (std::abs(across) > 0.301 || std::abs(bearing) > 1.5) {
+      ASSERT_EQ(scan.ranges_m[i], Scan::kNothing);
+    }
+  }
+}
+
+TEST(VirtualObstacles, AreNotThereForARobotThatStandsInThem) {
+  VirtualObstacles dut;
+  dut.add({0.1, 0.0}, 0.3);
+  Scan scan = openScan();
+  dut.shorten(scan, {0.0, 0.0, 0.0});
+  EXPECT_EQ(scan.ranges_m, openScan().ranges_m);
+}
+
+TEST(VirtualObstacles, KeepTheNewestWhenThereAreTooMany) {
+  VirtualObstacles dut;
+  for (int i = 0; i < 20; ++i) dut.add({100.0, 100.0}, 0.3);
+  dut.add({2.0, 0.0}, 0.3);
+  Scan scan = openScan();
+  dut.shorten(scan, {0.0, 0.0, 0.0});
+  EXPECT_LT(scan.ranges_m[scan.beams.count / 2], 2.0F);
+}
+
+}  // namespace
+}  // namespace underway
