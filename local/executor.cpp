@@ -42,8 +42,7 @@ Tick Executor::tick(const Senses& senses) {
   return {last_, state_};
 }
 
-// --- belief
-// -------------------------------------------------------------------------------------------------
+// --- belief ------------------------------------------------------------------------------------------------
 
 void Executor::believe(const Senses& senses) {
   if (!has_pose_ && senses.pose) belief_.set(senses.pose->pose), has_pose_ = true;
@@ -68,8 +67,7 @@ void Executor::believe(const Senses& senses) {
   silent_s_ = should_know && !senses.pose ? silent_s_ + tick : 0.0;
 }
 
-// --- where in the plan
-// ----------------------------------------------------------------------------------------
+// --- where in the plan -------------------------------------------------------------------------------------
 
 const Segment* Executor::current() const {
   return segment_ < plan_.segments.size() ? &plan_.segments[segment_] : nullptr;
@@ -124,8 +122,7 @@ void Executor::watchProgress() {
   idle_s_ = 0.0;
 }
 
-// --- the situation
-// --------------------------------------------------------------------------------------------
+// --- the situation -----------------------------------------------------------------------------------------
 
 Situation Executor::situation(const Senses& senses) {
   Situation is;
@@ -157,8 +154,7 @@ bool Executor::isBlocked() {
   return !shift;
 }
 
-// --- commands
-// -------------------------------------------------------------------------------------------------
+// --- commands ----------------------------------------------------------------------------------------------
 
 Command Executor::commandFor(const Senses& senses) {
   switch (state_) {

@@ -38,7 +38,8 @@ TEST(FclScene, AnswersAfterChangesAsOneMadeAnew) {
       const auto footprint = body.footprint();
       Region region = Region::between(footprint[0], footprint[2]);
       region = region.joint(Region::between(footprint[1], footprint[3]));
-      ASSERT_EQ(dut.shapesIn(region).comeWithin(body, 0.0), fresh.shapesIn(region).comeWithin(body, 0.0)) << "step " << step;
+      ASSERT_EQ(dut.shapesIn(region).comeWithin(body, 0.0), fresh.shapesIn(region).comeWithin(body, 0.0))
+          << "step " << step;
     }
   }
 }
