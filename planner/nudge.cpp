@@ -12,8 +12,7 @@ constexpr int kMostSweeps = 12;
 constexpr int kMostRepeats = 8;   // of a move that helped
 constexpr std::size_t kNear = 2;  // steps away that a change is felt
 constexpr double kSamePoint_m = 1e-7;
-constexpr double kNearCorner = 1.6;  // steps from a stop to where its corner may be cut
-constexpr double kCoarse_m = 0.05;   // smaller steps put no stops into legs
+constexpr double kCoarse_m = 0.05;  // smaller steps put no stops into legs
 
 const std::array<Point, kDirections>& directions() {
   static const auto kAll = [] {
@@ -33,13 +32,6 @@ Option movedBy(const Option& stop, Point direction, double step_m) {
   moved.in.y += step_m * direction.y;
   moved.out = moved.in;
   return moved;
-}
-
-/// Where the line through a point along a heading comes closest to another.
-Point ahead(Point from, double heading_rad, Point to) {
-  const Point axis{std::cos(heading_rad), std::sin(heading_rad)};
-  const double way = (to.x - from.x) * axis.x + (to.y - from.y) * axis.y;
-  return {from.x + way * axis.x, from.y + way * axis.y};
 }
 
 }  // namespace
@@ -173,28 +165,9 @@ bool Nudge::changeWaysRound(Index i) {
   return is_better;
 }
 
-/// Near either end of a leg, to cut its corner, and where one part of it needs no turn at its other end.
 bool Nudge::putStopInto(Index i, double step_m) {
-  const Passage::Step& a = steps_[i - 1];
-  const Passage::Step& b = steps_[i];
-  const Point from = a.option.out.position();
-  const Point to = b.option.in.position();
-  std::array<Point, 6> points;
-  std::size_t count = 0;
-  if (const double away = kNearCorner * step_m / distance(from, to); away < 0.4) {
-    points[count++] = {from.x + away * (to.x - from.x), from.y + away * (to.y - from.y)};
-    points[count++] = {to.x + away * (from.x - to.x), to.y + away * (from.y - to.y)};
-  }
-  const double before = i >= 2 && a.way ? a.arriving.yaw : a.leaving.yaw;
-  const bool goes_on = i + 1 < steps_.size() && steps_[i + 1].way;
-  const double after = goes_on ? steps_[i + 1].arriving.yaw : b.option.in.yaw;
-  for (const double quarter : {0.0, 0.5 * std::numbers::pi}) {
-    points[count++] = ahead(from, before + quarter, to);
-    if (!b.option.any_heading || b.option.is_stop) points[count++] = ahead(to, after + quarter, from);
-  }
-  for (std::size_t k = 0; k < count; ++k)
-    if (putStop(i, points[k])) return true;
-  return false;
+  const std::vector<Point> points = stopsBetween(steps_, i, step_m);
+  return std::any_of(points.begin(), points.end(), [&](Point at) { return putStop(i, at); });
 }
 
 bool Nudge::putStop(Index i, Point at) {

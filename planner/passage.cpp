@@ -1,6 +1,7 @@
 #include "planner/passage.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace underway {
 namespace {
@@ -39,11 +40,41 @@ class Writer {
   Route route_;
 };
 
+/// Where the line through a point along a heading comes closest to another.
+Point ahead(Point from, double heading_rad, Point to) {
+  const Point axis{std::cos(heading_rad), std::sin(heading_rad)};
+  const double way = (to.x - from.x) * axis.x + (to.y - from.y) * axis.y;
+  return {from.x + way * axis.x, from.y + way * axis.y};
+}
+
 }  // namespace
 
 Option Option::stop(Point at, double keep_m) {
   const Pose pose{at.x, at.y, 0.0};
   return {pose, pose, 0, 0, true, true, keep_m, {}, {}};
+}
+
+std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::size_t i, double step_m) {
+  constexpr double kNearCorner = 1.6;  // steps from an end to where its corner may be cut
+  constexpr double kMostOfLeg = 0.4;
+  const Passage::Step& a = steps[i - 1];
+  const Passage::Step& b = steps[i];
+  const Point from = a.option.out.position();
+  const Point to = b.option.in.position();
+  std::vector<Point> points;
+  points.reserve(6);
+  if (const double share = kNearCorner * step_m / distance(from, to); share < kMostOfLeg) {
+    points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    points.push_back({to.x + share * (from.x - to.x), to.y + share * (from.y - to.y)});
+  }
+  const double before = i >= 2 && a.way ? a.arriving.yaw : a.leaving.yaw;
+  const bool goes_on = i + 1 < steps.size() && steps[i + 1].way;
+  const double after = goes_on ? steps[i + 1].arriving.yaw : b.option.in.yaw;
+  for (const double quarter : {0.0, 0.5 * std::numbers::pi}) {
+    points.push_back(ahead(from, before + quarter, to));
+    if (!b.option.any_heading || b.option.is_stop) points.push_back(ahead(to, after + quarter, from));
+  }
+  return points;
 }
 
 Route routeOf(const Passage& passage) {

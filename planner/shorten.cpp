@@ -17,7 +17,7 @@ constexpr std::array kCoarse_m{0.3, 0.1, 0.05};
 constexpr std::array kFine_m{0.03, 0.01, 0.003, 0.001};
 constexpr std::size_t kReach = 6;  // stations ahead that legs lead to, when stops are to be left out
 constexpr std::size_t kStopsRound = 8;
-constexpr double kNearCorner = 1.6;  // steps from a stop to where its corner may be cut
+constexpr double kSamePoint_m = 1e-6;
 
 /// A route divided into stops and crossings, and improved as a whole.
 class Shortening {
@@ -106,42 +106,17 @@ class Shortening {
     }
   }
 
-  /// Stops between two: near either, to cut its corner, and where a leg needs no turn at its other end.
   void addBetween(std::size_t i, double step_m, Corridor& corridor) const {
     const Passage::Step& a = passage_.steps[i - 1];
-    const Passage::Step& b = passage_.steps[i];
-    const Point from = a.option.out.position();
-    const Point to = b.option.in.position();
-    const double way_m = distance(from, to);
     Station station;
     station.may_be_skipped = true;
     station.reach = 2;
     station.legs_on = &stances_.ofMode(a.leaving.mode);
-    const auto add = [&](Point at) {
-      if (distance(from, at) > 1e-6 && distance(at, to) > 1e-6)
+    for (const Point at : stopsBetween(passage_.steps, i, step_m))
+      if (distance(a.option.out.position(), at) > kSamePoint_m &&
+          distance(at, passage_.steps[i].option.in.position()) > kSamePoint_m)
         station.options.push_back(Option::stop(at, robot_.margin_m));
-    };
-    const double away = kNearCorner * step_m / way_m;
-    if (away < 0.4) {
-      add({from.x + away * (to.x - from.x), from.y + away * (to.y - from.y)});
-      add({to.x + away * (from.x - to.x), to.y + away * (from.y - to.y)});
-    }
-    const double before = i >= 2 && passage_.steps[i - 1].way ? a.arriving.yaw : a.leaving.yaw;
-    const double after = i + 1 < passage_.steps.size() && passage_.steps[i + 1].way
-                             ? passage_.steps[i + 1].arriving.yaw
-                             : b.option.in.yaw;
-    for (const double quarter : {0.0, 0.5 * std::numbers::pi}) {
-      add(ahead(from, before + quarter, to));
-      if (!b.option.any_heading || b.option.is_stop) add(ahead(to, after + quarter, from));
-    }
     if (!station.options.empty()) corridor.push_back(std::move(station));
-  }
-
-  /// Where the line through a point along a heading comes closest to another.
-  [[nodiscard]] static Point ahead(Point from, double heading_rad, Point to) {
-    const Point axis{std::cos(heading_rad), std::sin(heading_rad)};
-    const double way = (to.x - from.x) * axis.x + (to.y - from.y) * axis.y;
-    return {from.x + way * axis.x, from.y + way * axis.y};
   }
 
   const Robot& robot_;

@@ -14,9 +14,10 @@ struct Keeping {
 };
 
 /// A passage that costs no more under the policy of `stances`: stops are left out, moved and added, and
-/// crossings moved along and beside their lines, as long as that helps. Each round lays a corridor of choices
-/// round the passage and takes the cheapest way through it; the choices come ever closer. When interrupted,
-/// the best so far.
+/// crossings moved along and beside their lines, as long as that helps. Steps become smaller from round to
+/// round. Each round makes small changes one at a time (Nudge); the coarse ones also lay a corridor of
+/// choices round the passage and take the cheapest way through it, in which all moves at once. When
+/// interrupted, the best so far.
 [[nodiscard]] Passage shortened(const Checker& checker, const Stances& stances, Passage passage,
                                 const Keeping& keeping, Interrupt& interrupt);
 
