@@ -25,7 +25,7 @@ Robot sideways() {
   walk.body_m = {{-0.13, 0.13}, {-0.195, 0.195}, {0.0, 0.5}};
   walk.speed_mps = {0.1, 0.1, 0.1, 0.1};
   walk.turn_speed_radps = 0.5;
-  return *checkedRobot({"sideways", 0.0, {walk}, {}});
+  return *checkedRobot({"sideways", 0.0, {walk}, {}, {}});
 }
 
 World emptyRoom() { return *World::make("empty", {{0.0, 0.0, 0.0}, 4.0, 3.0}, 0.0, {}); }

@@ -19,7 +19,7 @@ Task taskIn(double limit_s) {
   const Obstacle wall{"wall", OrientedBox{{2.0, 1.0, 0.5}, {0.1, 2.0, 1.0}, {}}};
   Task task;
   task.world = std::make_shared<World>(*World::make("room", {{0.0, 0.0, 0.0}, 4.0, 3.0}, 0.0, {wall}));
-  task.robot = std::make_shared<Robot>(*checkedRobot({"walker", 0.0, {walk}, {}}));
+  task.robot = std::make_shared<Robot>(*checkedRobot({"walker", 0.0, {walk}, {}, {}}));
   task.request = {{1.0, 1.0, 0.0}, 0, {3.0, 1.0}, 0.0, 0, Policy::kFastest};
   task.limit_s = limit_s;
   return task;
