@@ -9,17 +9,10 @@
 #include "gait/crawl/switches.hpp"
 #include "sim/physics/crawl_figures.hpp"
 #include "sim/physics/journey.hpp"
+#include "tests/sim/physics/nao_simulation.hpp"
 
 namespace underway::physics {
 namespace {
-
-const std::filesystem::path kRobot = std::filesystem::path(UNDERWAY_SOURCE_DIR) / "robots" / "nao.xml";
-
-Simulation nao(const Conditions& conditions, const Scene& scene = {}) {
-  auto simulation = Simulation::make(kRobot, scene, conditions);
-  if (!simulation) throw std::runtime_error(simulation.error().message);
-  return std::move(*simulation);
-}
 
 constexpr std::array<std::uint64_t, 2> kSeeds{0, 19};  // the smoothest floor and the roughest
 

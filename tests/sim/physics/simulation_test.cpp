@@ -11,17 +11,10 @@
 #include "gait/crawl/gait.hpp"
 #include "gait/crawl/switches.hpp"
 #include "sim/physics/picture.hpp"
+#include "tests/sim/physics/nao_simulation.hpp"
 
 namespace underway::physics {
 namespace {
-
-const std::filesystem::path kRobot = std::filesystem::path(UNDERWAY_SOURCE_DIR) / "robots" / "nao.xml";
-
-Simulation nao(const Conditions& conditions, const Scene& scene = {}) {
-  auto simulation = Simulation::make(kRobot, scene, conditions);
-  if (!simulation) throw std::runtime_error(simulation.error().message);
-  return std::move(*simulation);
-}
 
 const gait::JointTable& crawl() {
   static const gait::JointTable table = gait::crawlMotion(gait::naoCrawler(), gait::nominalGait()).value();
