@@ -1,5 +1,3 @@
-#include <ctime>
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +5,12 @@
 #include "bench/local_parts.hpp"
 #include "bench/local_run.hpp"
 #include "bench/minimiser.hpp"
+#include "bench/stopwatch.hpp"
 #include "geometry/map.hpp"
 #include "local/executor.hpp"
 
 namespace underway::bench {
 namespace {
-
-/// Of this thread, so that other programs do not count [us].
-double processorTime_us() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 void addMinimiser(const LocalBench& bench, Report& report) {
   const unsigned long cases = bench.seeds(100'000);
@@ -68,9 +60,9 @@ void addGodzilaTick(const LocalBench& bench, Report& report) {
     for (int k = 0; k < 4000; ++k) {
       const Senses& senses = body.sense();
       const Bearing goal = bearingOf(room.goal, senses.pose->pose);
-      const double begun = processorTime_us();
+      const double begun = processorTime();
       const auto drive = godzila.tick(*senses.scan, goal);
-      took_us.push_back(processorTime_us() - begun);
+      took_us.push_back(1e6 * (processorTime() - begun));
       if (drive.state == Godzila::State::kArrived) break;
       body.step({drive.velocity, std::nullopt});
     }
@@ -92,9 +84,9 @@ Expected<void> addExecutorTick(const LocalBench& bench, Report& report) {
   std::vector<double> took_us;
   while (executor.state() != State::kArrived && body.now_s() < 1000.0) {
     const Senses& senses = body.sense();
-    const double begun = processorTime_us();
+    const double begun = processorTime();
     const Tick tick = executor.tick(senses);
-    took_us.push_back(processorTime_us() - begun);
+    took_us.push_back(1e6 * (processorTime() - begun));
     body.step(tick.command);
   }
   addTicks("one tick of the executor", took_us, report);

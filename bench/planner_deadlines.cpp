@@ -9,6 +9,7 @@
 
 #include "bench/planner_parts.hpp"
 #include "bench/requests.hpp"
+#include "bench/stopwatch.hpp"
 
 namespace underway::bench {
 namespace {
@@ -21,12 +22,6 @@ constexpr double kShortest_s = 0.0002;  // deadline
 constexpr double kLongest_s = 0.03;
 constexpr double kPunctual_s = 0.0002;  // later than that, the watch has missed the deadline
 constexpr std::size_t kFreshEvery = 4;  // a new planner, which has a roadmap to grow
-
-double processorTime(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A thread that reads another's processor time at a deadline.
 class Watch {

@@ -37,17 +37,18 @@ double medianOf(const std::function<void()>& run, int rounds) {
   return quantile(seconds, 0.5);
 }
 
+double processorTime(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double processorMedianOf(const std::function<void()>& run, int rounds) {
-  const auto now_s = [] {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
   std::vector<double> seconds;
   for (int round = 0; round < rounds; ++round) {
-    const double start_s = now_s();
+    const double start_s = processorTime();
     run();
-    seconds.push_back(now_s() - start_s);
+    seconds.push_back(processorTime() - start_s);
   }
   return quantile(seconds, 0.5);
 }

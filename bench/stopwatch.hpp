@@ -1,5 +1,7 @@
 #pragma once
 
+#include <ctime>
+
 #include <chrono>
 #include <functional>
 
@@ -7,6 +9,9 @@ namespace underway::bench {
 
 /// How long something takes [s].
 [[nodiscard]] double secondsOf(const std::function<void()>& run);
+
+/// Of a thread so far, this one's unless told otherwise; other programs do not lengthen it [s].
+[[nodiscard]] double processorTime(clockid_t clock = CLOCK_THREAD_CPUTIME_ID);
 
 /// Keeps a result from being optimised away.
 void keep(std::size_t result);
