@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <optional>
 
 #include "bench/physics_parts.hpp"
 #include "gait/crawl/crawler.hpp"
@@ -13,21 +14,31 @@ namespace {
 
 using namespace underway::physics;
 
+void enclose(std::optional<BodyBox>& all, const BodyBox& more) {
+  all = all ? BodyBox{hull(all->x, more.x), hull(all->y, more.y), hull(all->z, more.z)} : more;
+}
+
 /// A switch over all seeds.
 struct SwitchFigures {
   double duration_s = 0.0;
   std::vector<double> x_m, y_m, yaw_deg;
-  BodyBox box;
+  std::optional<BodyBox> box;
 
   void add(const Recording& recording, const Pose& displacement) {
     duration_s = recording.duration_s;
     x_m.push_back(displacement.x);
     y_m.push_back(displacement.y);
     yaw_deg.push_back(displacement.yaw * 180.0 / std::numbers::pi);
-    const BodyBox swept = sweptBox(recording);
-    box = x_m.size() == 1 ? swept : BodyBox{hull(box.x, swept.x), hull(box.y, swept.y), hull(box.z, swept.z)};
+    enclose(box, sweptBox(recording));
   }
 };
+
+void tellBox(const PhysicsRun& run, const std::string& name, const BodyBox& box) {
+  for (const auto& [axis, range] : {std::pair('x', box.x), std::pair('y', box.y), std::pair('z', box.z)}) {
+    run.tell(name + ": box, " + axis + " from", range.min, "m");
+    run.tell(name + ": box, " + axis + " to", range.max, "m");
+  }
+}
 
 void tellSwitch(const PhysicsRun& run, const char* name, const SwitchFigures& figures) {
   const auto what = [&](const char* of) { return fmt::format("{}: {}", name, of); };
@@ -40,11 +51,7 @@ void tellSwitch(const PhysicsRun& run, const char* name, const SwitchFigures& fi
   tellAll(figures.x_m, "displacement x", "m");
   tellAll(figures.y_m, "displacement y", "m");
   tellAll(figures.yaw_deg, "displacement yaw", "deg");
-  for (const auto& [axis, range] :
-       {std::pair('x', figures.box.x), std::pair('y', figures.box.y), std::pair('z', figures.box.z)}) {
-    run.tell(what("box, ") + axis + " from", range.min, "m");
-    run.tell(what("box, ") + axis + " to", range.max, "m");
-  }
+  tellBox(run, name, *figures.box);
 }
 
 void draw(const PhysicsRun& run, const char* name, const Recording& recording) {
@@ -58,12 +65,14 @@ void draw(const PhysicsRun& run, const char* name, const Recording& recording) {
 void measureJourneys(const PhysicsRun& run) {
   SwitchFigures down;
   SwitchFigures up;
+  std::optional<BodyBox> crawl;
   double clean = 0.0;
   double done = 0.0;
   for (const std::uint64_t seed : run.seeds) {
     const Journey journey = crawlUnder(run.robot, {}, gait::cruiseGait(), conditionsOf(seed)).value();
     clean += journey.stands && journey.touches.empty() ? 1.0 : 0.0;
     down.add(journey.down, journey.lying_after_down);
+    for (const Recording& cycle : journey.crawl.recordings) enclose(crawl, sweptBox(cycle));
     up.add(journey.up, journey.standing_after_up);
     if (seed == run.seeds.front()) {
       draw(run, "down.svg", journey.down);
@@ -75,6 +84,7 @@ void measureJourneys(const PhysicsRun& run) {
   const double count = static_cast<double>(run.seeds.size());
   run.ask("down, under a table of 1 m with 220 mm clear, up: touching nothing", clean, "seeds",
           fmt::format("{:.0f}", count), clean == count);
+  tellBox(run, "cruise, steered", *crawl);
   tellSwitch(run, "frontal to crawl", down);
   tellSwitch(run, "crawl to frontal", up);
 }

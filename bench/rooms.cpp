@@ -15,9 +15,10 @@ namespace {
 constexpr double kBroad_m = 0.39 + 0.04;
 constexpr double kDeep_m = 0.26 + 0.04;
 constexpr double kCrawlHigh_m = 0.21;
-constexpr double kLyingDown_m = 0.79 + 0.04;
-constexpr double kGettingUp_m = 0.66 + 0.04;
-constexpr double kTurning_m = 0.53;  // a standing body turns in a circle this wide
+constexpr double kLyingDown_m = 0.81 + 0.04;
+constexpr double kGettingUp_m = 0.73 + 0.04;
+constexpr double kCrawlBroad_m = 0.52 + 0.04 + 0.06;  // and what 1.5 m of it may drift, to both sides
+constexpr double kTurning_m = 0.53;                   // a standing body turns in a circle this wide
 
 constexpr double kTall_m = 1.0;  // higher than any body
 
@@ -63,16 +64,18 @@ class Builder {
         return addWall(random_.between(0.06, 0.3), kDeep_m + slack_m_);
       case Need::kCrawlHeight: {
         const double deep = random_.between(0.2, 0.6);
-        const double wide = random_.between(0.5, 1.2);
+        const double wide = random_.between(kCrawlBroad_m + 0.02, 1.2);
         addWall(deep, wide);
         return addTable(deep, wide, kCrawlHigh_m + slack_m_);
       }
       case Need::kRunIn:
-        addLowPassage(-1.0, kLyingDown_m + slack_m_);
+        addLowPassage();
+        addWallAcross(-1.0, kLyingDown_m + slack_m_);
         start_ = alongside(-1.0, kLyingDown_m);
         return;
       case Need::kSwitchBox:
-        addLowPassage(1.0, kGettingUp_m + slack_m_);
+        addLowPassage();
+        addShelfAcross(1.0, kGettingUp_m + slack_m_);
         goal_ = alongside(1.0, kGettingUp_m);
         return;
     }
@@ -108,17 +111,31 @@ class Builder {
         {underside, underside + random_.between(0.4, 0.6)});
   }
 
-  /// A table in a wall too narrow to crawl through at a slant, and a wall behind which leaves only so much on
-  /// one side of it.
-  void addLowPassage(double side, double leaves) {
+  /// A table in a wall too narrow to crawl through at a slant.
+  void addLowPassage() {
     const double deep = random_.between(0.3, 0.6);
-    const double wide = random_.between(0.5, 0.58);
+    const double wide = random_.between(kCrawlBroad_m, kCrawlBroad_m + 0.08);
     addWall(deep, wide);
     addTable(deep, wide, random_.between(0.24, 0.45));
-    const double near = passage_.x + side * (0.5 * deep + leaves);
+    beside_ = 0.5 * deep;
+  }
+
+  /// From side to side, so far from the table.
+  void addWallAcross(double side, double leaves) {
+    const double near = passage_.x + side * (beside_ + leaves);
     const double far = near + side * random_.between(0.05, 0.3);
     addPieces({std::min(near, far), std::max(near, far)}, {0.0, height_m_});
-    beside_ = 0.5 * deep;
+  }
+
+  /// A shelf that the crawling hands reach under and a standing body does not, and a wall behind it.
+  void addShelfAcross(double side, double leaves) {
+    const double deep = random_.between(0.15, 0.3);
+    const double near = passage_.x + side * (beside_ + leaves);
+    const double far = near + side * deep;
+    const double underside = random_.between(0.24, 0.45);
+    add("shelf", {std::min(near, far), 0.0}, {std::max(near, far), height_m_},
+        {underside, underside + random_.between(0.2, 0.5)});
+    addWallAcross(side, leaves + deep);
   }
 
   /// Beside the table, in the strip that is left there.

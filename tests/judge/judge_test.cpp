@@ -25,7 +25,8 @@ Scene room() {
   return scene;
 }
 
-RobotFile nao() { return readRobotFile(std::string(UNDERWAY_SOURCE_DIR) + "/robots/nao.yaml"); }
+/// NAO's modes in rounder numbers.
+RobotFile robot() { return readRobotFile(std::string(UNDERWAY_SOURCE_DIR) + "/tests/judge/robot.yaml"); }
 
 Json pose(double x, double y, double yaw) { return {{"x", x}, {"y", y}, {"yaw", yaw}}; }
 
@@ -101,7 +102,7 @@ Json goodPlan() {
   return withTotals({{"status", "ok"},
                      {"message", ""},
                      {"policy", "priority"},
-                     {"robot", "nao"},
+                     {"robot", "round"},
                      {"map", "room"},
                      {"revision", 1},
                      {"world_hash", "a"},
@@ -123,7 +124,9 @@ Json goodPlan() {
 
 enum Part { kWalk, kDown, kCrawl, kUp, kTurn, kChange, kSide };
 
-Verdict judged(const Json& plan, const Scene& scene = room()) { return judgePlan(plan.dump(), scene, nao()); }
+Verdict judged(const Json& plan, const Scene& scene = room()) {
+  return judgePlan(plan.dump(), scene, robot());
+}
 
 std::string said(const Verdict& verdict) {
   std::string text;
@@ -363,7 +366,7 @@ TEST(Judge, FindsLiesAboutStartAndGoal) {
     EXPECT_NE(said(judged(refusal(status))).find(std::string("says ") + status), std::string::npos) << status;
 }
 
-TEST(Judge, RefusesWhatIsNotJson) { EXPECT_FALSE(judgePlan("{\"status\": ", room(), nao()).isSound()); }
+TEST(Judge, RefusesWhatIsNotJson) { EXPECT_FALSE(judgePlan("{\"status\": ", room(), robot()).isSound()); }
 
 }  // namespace
 }  // namespace judge

@@ -45,8 +45,8 @@ Plan soundPlan(Planner& dut, const Request& request) {
 TEST(Planner, CrawlsOnlyUnderTheLowPlaceAndStandsUpAfterIt) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Plan plan = soundPlan(*plannerFor("scenario3", seed), requestFor(kLeft, kRight));
-    EXPECT_LT(metresIn(plan, kCrawl), 1.31) << "seed " << seed;  // 1.30 m is the shortest there is
-    EXPECT_GT(metresIn(plan, kCrawl), 1.29) << "seed " << seed;
+    EXPECT_LT(metresIn(plan, kCrawl), 1.38) << "seed " << seed;  // 1.376 m is the shortest there is
+    EXPECT_GT(metresIn(plan, kCrawl), 1.375) << "seed " << seed;
     ASSERT_FALSE(plan.segments.empty());
     EXPECT_EQ(plan.segments.back().motion.to_mode, kFrontal);
   }

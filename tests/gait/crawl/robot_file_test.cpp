@@ -24,7 +24,7 @@ Both cruise() {
   return {robot->modes.at(*robot->findMode("crawl")), *envelope};
 }
 
-TEST(NaoFile, DISABLED_CrawlBodyEnclosesTheGaitAndLittleMore) {
+TEST(NaoFile, CrawlBodyEnclosesTheGaitAndLittleMore) {
   const auto [mode, room] = cruise();
   for (const auto& [axis, range] : {std::pair{0, mode.body_m.x}, {1, mode.body_m.y}}) {
     EXPECT_LE(range.min, room.low[axis]) << "axis " << axis;

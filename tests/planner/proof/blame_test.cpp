@@ -60,7 +60,7 @@ TEST(Blame, TellsWhichTwoStandTooClose) {
 }
 
 TEST(Blame, TellsThatThereIsNoRoomToLieDownOrToGetUp) {
-  for (const auto& [need, length] : {std::pair{bench::Need::kRunIn, 0.83}, {bench::Need::kSwitchBox, 0.70}}) {
+  for (const auto& [need, length] : {std::pair{bench::Need::kRunIn, 0.85}, {bench::Need::kSwitchBox, 0.77}}) {
     const bench::Room room = bench::roomWith(need, -0.02, 1);
     const Blame told = blameIn(room.world, room.request);
     ASSERT_EQ(told.blocking.size(), 1U);
