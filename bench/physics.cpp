@@ -17,8 +17,9 @@ struct Part {
   double share;  ///< of the time all parts take, about
 };
 
-constexpr std::array kParts{Part{"gaits", measureGaits, 0.10}, Part{"lines", measureLines, 0.40},
-                            Part{"journeys", measureJourneys, 0.25}, Part{"torques", measureTorques, 0.25}};
+constexpr std::array kParts{Part{"gaits", measureGaits, 0.10}, Part{"lines", measureLines, 0.30},
+                            Part{"journeys", measureJourneys, 0.20}, Part{"missions", measureMissions, 0.20},
+                            Part{"torques", measureTorques, 0.20}};
 
 bool isAsked(const Part& part, const PhysicsOptions& options) {
   return options.only.empty() || options.only == part.name;

@@ -11,7 +11,7 @@
 namespace underway::bench {
 
 struct PhysicsOptions {
-  std::filesystem::path data;  ///< the folder that holds robots/ and gaits/
+  std::filesystem::path data;  ///< the folder that holds robots/, maps/ and gaits/
   bool quick = false;          ///< 4 of the 20 seeds
   std::string pictures;        ///< write side views of what happened here; empty: none
   std::string only;            ///< one of physicsParts(); empty: all
@@ -21,10 +21,10 @@ struct PhysicsOptions {
 [[nodiscard]] std::vector<std::string> physicsParts();
 
 /// The crawl on a NAO in physics (sim/physics): advance, height, drift; 2 m with the heading kept and
-/// without; slopes and curves; torques of the pushes at ten durations; going down and getting up; and the
-/// whole way under a table. Twenty seeds: friction 0.4 to 1, servos' zeros and the start off by a little.
-/// Errors: as of physics::makeModel; kInvalidRobot when a gait cannot be read; kInvalidRequest when pictures
-/// cannot be written.
+/// without; slopes and curves; torques of the pushes at ten durations; going down and getting up; the
+/// whole way under a table; missions by the executor. Twenty seeds: friction 0.4 to 1, servos' zeros and the
+/// start off by a little. Errors: as of physics::makeModel; kInvalidRobot when a gait cannot be read;
+/// kInvalidRequest when pictures cannot be written.
 [[nodiscard]] Expected<Report> physics(const PhysicsOptions& options,
                                        const std::function<void(double)>& progress);
 

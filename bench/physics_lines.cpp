@@ -15,24 +15,25 @@ constexpr double kLine_m = 2.0;
 constexpr double kMostAside_m = 0.030;
 constexpr double kMostHeading_rad = 3.0 * std::numbers::pi / 180.0;
 
-CrawledLine crawl(const PhysicsRun& run, std::uint64_t seed, Heading heading) {
+CrawledLine crawl(const PhysicsRun& run, std::uint64_t seed, bool keeps_heading) {
   Simulation simulation = Simulation::make(run.robot, {}, conditionsOf(seed)).value();
-  const gait::CrawlGait gait = gait::cruiseGait();
-  simulation.start(gait::crawlMotion(gait::naoCrawler(), gait).value(), Posture::kLying, {});
-  return crawlLine(simulation, gait, kLine_m, heading);
+  gait::Steering steering;
+  if (!keeps_heading) steering.gain = 0.0;
+  auto player = gait::CrawlPlayer::make(gait::naoCrawler(), gait::cruiseGait(), steering).value();
+  simulation.start(player.lie(0.0), Posture::kLying, {});
+  return crawlLine(simulation, player, kLine_m);
 }
 
 }  // namespace
 
 void measureLines(const PhysicsRun& run) {
   double done = 0.0;
-  for (const auto& [heading, name] :
-       {std::pair(Heading::kOpenLoop, "open loop"), std::pair(Heading::kFromImu, "heading kept")}) {
+  for (const auto& [keeps_heading, name] : {std::pair(false, "open loop"), std::pair(true, "heading kept")}) {
     std::vector<double> aside_mm;
     std::vector<double> heading_deg;
     double kept = 0.0;
     for (const std::uint64_t seed : run.seeds) {
-      const CrawledLine line = crawl(run, seed, heading);
+      const CrawledLine line = crawl(run, seed, keeps_heading);
       aside_mm.push_back(1000.0 * line.most_aside_m);
       heading_deg.push_back(line.most_heading_rad * 180.0 / std::numbers::pi);
       kept += line.most_aside_m <= kMostAside_m && line.most_heading_rad <= kMostHeading_rad ? 1.0 : 0.0;
@@ -40,7 +41,7 @@ void measureLines(const PhysicsRun& run) {
     }
     const std::string what = fmt::format("2 m, {}: ", name);
     const double count = static_cast<double>(run.seeds.size());
-    if (heading == Heading::kFromImu)
+    if (keeps_heading)
       run.ask(what + "within 30 mm and 3 deg all the way", kept, "seeds", fmt::format("{:.0f}", count),
               kept == count);
     else

@@ -33,6 +33,8 @@ void measureGaits(const PhysicsRun& run);
 void measureLines(const PhysicsRun& run);
 /// Down, under a table, up: what robots/nao.yaml holds, and whether anything was touched.
 void measureJourneys(const PhysicsRun& run);
+/// The executor's own missions through our maps, the gaits played in physics.
+void measureMissions(const PhysicsRun& run);
 /// Torques in the push at ten durations, of all gaits of the library.
 void measureTorques(const PhysicsRun& run);
 

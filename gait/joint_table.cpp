@@ -80,6 +80,15 @@ std::vector<double> JointTable::sample(double time_s) const {
   return angles_rad;
 }
 
+JointTable JointTable::part(double from_s, double to_s) const {
+  JointTable result(joints_);
+  result.append(from_s, sample(from_s));
+  for (std::size_t row = 0; row < rows(); ++row)
+    if (times_s_[row] > from_s && times_s_[row] < to_s) result.append(times_s_[row], angles(row));
+  result.append(to_s, sample(to_s));
+  return result;
+}
+
 JointTable JointTable::denser(double step_s) const {
   require(step_s > 0.0, "rows of a joint table cannot be that close");
   JointTable table(joints_);

@@ -42,6 +42,9 @@ class JointTable {
   void sample(double time_s, std::span<double> angles_rad) const;
   [[nodiscard]] std::vector<double> sample(double time_s) const;
 
+  /// What it does between two instants, the second one later: rows at both, and ours between them.
+  [[nodiscard]] JointTable part(double from_s, double to_s) const;
+
   /// The same motion in rows at most `step_s` apart: our rows, and as many between them as it takes.
   [[nodiscard]] JointTable denser(double step_s) const;
 

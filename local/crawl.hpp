@@ -18,6 +18,7 @@ struct CrawlSettings {
   double stroke_m = 0.0777;          ///< of a cycle that does not slip (Brooks 2017, chapter 4) [m]
   double kept = 0.87;                ///< the share of it that the real robot kept (610 mm in 9 cycles)
   double kept_sigma = 0.05;          ///< of each cycle's share
+  bool keeps_heading = false;        ///< steers against the drift of its heading by itself
   double fix_sigma_m = 0.01;         ///< of its position when it goes down [m]
   double sigmas = 3.0;               ///< how sure it is of room before it gets up
   double longest_extra_m = 0.6;      ///< how far beyond the planned end it looks for room to get up [m]

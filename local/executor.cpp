@@ -162,8 +162,7 @@ Command Executor::commandFor(const Senses& senses) {
       if (current()->motion.kind == MotionKind::kSwitch) return {{}, current()->motion.to_mode};
       return {walkOn(senses), std::nullopt, lookRad()};
     case State::kAligning:
-      return {surroundings_.guarded(holdAt(entryOf(passage_, plan_, belief_.drift()), belief_.pose(),
-                                           settings_.follow.hold, limits_)),
+      return {surroundings_.guarded(holdAt(entry(), belief_.pose(), settings_.follow.hold, limits_)),
               std::nullopt};
     case State::kGoingDown:
     case State::kGettingUp:

@@ -68,6 +68,7 @@ class Executor {
   [[nodiscard]] double lookRad() const;
   [[nodiscard]] bool isBlocked();
   [[nodiscard]] bool isPassageBlocked() const;
+  [[nodiscard]] Pose entry() const;
   [[nodiscard]] bool isAligned();
   [[nodiscard]] bool hasRoomUpHere() const;
   [[nodiscard]] bool isStalled() const;

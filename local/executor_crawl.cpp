@@ -21,14 +21,17 @@ bool Executor::isPassageBlocked() const {
   return false;
 }
 
+Pose Executor::entry() const {
+  return entryOf(passage_, plan_, settings_.crawl.keeps_heading ? 0.0 : belief_.drift());
+}
+
 bool Executor::isAligned() {
   if (settings_.crawl.fixed) return true;
-  const Pose entry = entryOf(passage_, plan_, belief_.drift());
   Motion lane = current()->motion;
   const OnLane off = onLane(lane, belief_.pose());
   constexpr double kAlong_m = 0.02;  // along the passage it matters less
   const bool is_in = std::abs(off.left_m) < passage_.tolerance_m && std::abs(off.along_m) < kAlong_m &&
-                     std::abs(normalizedAngle(belief_.pose().yaw - entry.yaw)) < passage_.tolerance_rad;
+                     std::abs(normalizedAngle(belief_.pose().yaw - entry().yaw)) < passage_.tolerance_rad;
   aligned_ticks_ = is_in ? aligned_ticks_ + 1 : 0;
   return aligned_ticks_ >= settings_.crawl.aligned_ticks;
 }

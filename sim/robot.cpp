@@ -7,56 +7,20 @@ namespace underway::sim {
 namespace {
 
 constexpr double kStroke_m = 0.0777;  // of a whole cycle without slip (Brooks 2017, chapter 4)
-constexpr LidarSettings kWaist{};
-constexpr double kMostLook_rad = 2.08;  // NAO's HeadYaw
-
-/// A depth camera, as if its points were seen from above: nearest of all heights up to the standing body's.
-LidarSettings depthFor(const DepthSense& sense, const Robot& robot) {
-  LidarSettings settings;
-  settings.beams = depthBeamsOf(sense.field_rad);
-  settings.heights_m = {0.02, robot.modes.front().body_m.z.max};
-  settings.nearest_m = 0.02;
-  settings.farthest_m = sense.farthest_m;
-  return settings;
-}
-
-LidarSettings lidarFor(const LidarSense& sense) {
-  LidarSettings settings = kWaist;
-  settings.heights_m = {sense.height_m, sense.height_m};
-  return settings;
-}
-
-LidarSettings noisier(LidarSettings settings, double scale) {
-  settings.sigma_m *= scale;
-  settings.sigma_share *= scale;
-  return settings;
-}
 
 }  // namespace
-
-Flaws Flaws::times(double factor) const {
-  Flaws more = *this;
-  for (double* noise : {&more.pose_sigma_m, &more.pose_sigma_rad, &more.stroke_sigma, &more.drift_rad_per_m,
-                        &more.drift_sigma_rad_per_m, &more.lidar_scale})
-    *noise *= factor;
-  return more;
-}
 
 SimulatedRobot::SimulatedRobot(std::shared_ptr<const World> truth, std::shared_ptr<const Robot> robot,
                                const Pose& start, ModeId mode, std::uint64_t seed, const Flaws& flaws)
     : world_(std::move(truth)),
       robot_(std::move(robot)),
       checker_(world_, robot_),
+      sensors_(*world_, robot_, flaws, start),
       limits_(standingLimits(*robot_)),
       flaws_(flaws),
       random_(seed) {
-  const SensesOfRobot& senses = robot_->senses;
-  if (senses.waist) waist_.emplace(*world_, noisier(lidarFor(*senses.waist), flaws.lidar_scale));
-  if (senses.head) head_.emplace(*world_, noisier(lidarFor(*senses.head), flaws.lidar_scale));
-  if (senses.depth) depth_.emplace(*world_, noisier(depthFor(*senses.depth, *robot_), flaws.lidar_scale));
   truth_.pose = start;
   truth_.mode = mode;
-  past_.assign(static_cast<std::size_t>(flaws.late_ticks) + 1, start);
   std::normal_distribution<double> unit;
   const double size = flaws.drift_rad_per_m + flaws.drift_sigma_rad_per_m * unit(random_);
   drift_rad_per_m_ = std::bernoulli_distribution()(random_) ? size : -size;
@@ -69,42 +33,23 @@ bool SimulatedRobot::isLying() const {
 }
 
 const Senses& SimulatedRobot::sense() {
-  std::normal_distribution<double> unit;
   senses_ = {};
-  senses_.now_s = now_s();
   senses_.mode = truth_.mode;
   senses_.is_switching = switching_ != nullptr;
   senses_.cycles = cycles_;
   senses_.has_fallen = has_fallen_;
-  const bool is_lying = isLying();
-  const auto& lidar = is_lying ? head_ : waist_;
-  if (lidar) {
-    lidar->look(truth_.pose, scan_, random_);
-    scan_.stamp_s = now_s();
-    senses_.scan = &scan_;
-  }
-  if (depth_ && !is_lying) {
-    const Pose& at = truth_.pose;
-    depth_->look({at.x, at.y, at.yaw + look_rad_}, depth_scan_, random_);
-    depth_scan_.beams.first_rad += look_rad_;
-    depth_scan_.stamp_s = now_s();
-    senses_.depth = &depth_scan_;
-  }
-  const double heading_noise = flaws_.pose_sigma_rad * unit(random_);
-  const Pose& then = past_.front();
-  senses_.heading_rad = normalizedAngle(truth_.pose.yaw + heading_noise);
-  // Localisation needs a lidar that sees.
-  if (lidar && !is_lost_ && switching_ == nullptr && !has_fallen_)
-    senses_.pose = {
-        now_s() - kTick_s * flaws_.late_ticks,
-        {then.x + flaws_.pose_sigma_m * unit(random_), then.y + flaws_.pose_sigma_m * unit(random_),
-         normalizedAngle(then.yaw + flaws_.pose_sigma_rad * unit(random_))}};
+  sensors_.sense({.now_s = now_s(),
+                  .pose = truth_.pose,
+                  .is_upright = !isLying(),
+                  .can_localise = !is_lost_ && switching_ == nullptr && !has_fallen_,
+                  .heading_rad = truth_.pose.yaw},
+                 senses_, random_);
   return senses_;
 }
 
 void SimulatedRobot::step(const Command& command) {
   const Mode& mode = robot_->modes[truth_.mode];
-  look_rad_ = std::clamp(command.look_rad, -kMostLook_rad, kMostLook_rad);
+  sensors_.look(command.look_rad);
   if (has_fallen_) {
     // It lies where it fell.
   } else if (switching_ != nullptr) {
@@ -117,8 +62,7 @@ void SimulatedRobot::step(const Command& command) {
     crawl(command.velocity.x_mps);
   }
   ++ticks_;
-  std::rotate(past_.begin(), past_.begin() + 1, past_.end());
-  past_.back() = truth_.pose;
+  sensors_.remember(truth_.pose);
 }
 
 void SimulatedRobot::walk(const Velocity& velocity) {

@@ -2,32 +2,15 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "geometry/checker.hpp"
 #include "local/command.hpp"
 #include "local/senses.hpp"
-#include "sim/lidar.hpp"
+#include "sim/sensors.hpp"
 
 namespace underway::sim {
-
-/// How a real robot falls short of its commands and its sensors of the truth.
-struct Flaws {
-  double pose_sigma_m = 0.015;             ///< of the pose that is told, each axis [m]
-  double pose_sigma_rad = 0.01745;         ///< [rad]
-  int late_ticks = 1;                      ///< how old the pose is
-  double stroke_lost = 0.13;               ///< share of a crawl's stroke that slips, mean
-  double stroke_sigma = 0.05;              ///< of each cycle's share
-  double drift_rad_per_m = 0.0349;         ///< heading drift while moving, mean of its size; either side
-  double drift_sigma_rad_per_m = 0.01745;  ///< of its size, from run to run
-  double lidar_scale = 1.0;                ///< times the lidar's sigma
-
-  /// All noise times a factor; the mean of the lost stroke is no noise and stays.
-  [[nodiscard]] Flaws times(double factor) const;
-};
 
 /// What only the judge knows.
 struct Truth {
@@ -44,7 +27,7 @@ struct Truth {
 /// commands give the same run.
 class SimulatedRobot {
  public:
-  static constexpr double kTick_s = 0.1;
+  static constexpr double kTick_s = Sensors::kTick_s;
 
   /// `truth` is the world as it is, mapped or not.
   SimulatedRobot(std::shared_ptr<const World> truth, std::shared_ptr<const Robot> robot, const Pose& start,
@@ -76,17 +59,13 @@ class SimulatedRobot {
   std::shared_ptr<const World> world_;
   std::shared_ptr<const Robot> robot_;
   Checker checker_;
-  std::optional<Lidar> waist_;
-  std::optional<Lidar> head_;
-  std::optional<Lidar> depth_;
+  Sensors sensors_;
   SpeedLimits limits_;
   Flaws flaws_;
   std::mt19937_64 random_;
   Truth truth_;
-  std::vector<Pose> past_;  // true poses, the newest last, as many as the pose is late
   std::uint64_t ticks_ = 0;
   double drift_rad_per_m_ = 0.0;
-  double look_rad_ = 0.0;
   double switch_left_s_ = 0.0;
   const Switch* switching_ = nullptr;
   double cycle_left_s_ = 0.0;
@@ -96,8 +75,6 @@ class SimulatedRobot {
   bool is_lost_ = false;
   bool is_stalled_ = false;
   Senses senses_;
-  Scan scan_;
-  Scan depth_scan_;
 };
 
 }  // namespace underway::sim

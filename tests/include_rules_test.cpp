@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"sim", {"geometry", "gait", "local"}},
     {"planner", {"geometry"}},
     {"server", {"geometry", "planner"}},
-    {"local", {"geometry", "planner"}},
+    {"local", {"geometry", "planner", "gait"}},
     {"bench", {"geometry", "planner", "gait", "local", "sim"}},
     {"apps", {"geometry", "planner", "gait", "local", "sim", "server", "bench"}},
 };

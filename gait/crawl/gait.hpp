@@ -54,6 +54,7 @@ struct CrawlGait {
   PushShape push;
   double toe_to_elbow_m = 0.43;  ///< d_e, of the closed chain
   double spread_m = 0.0565;      ///< d: the elbows outside of the shoulders, in the push
+  double stroke = 1.0;           ///< the share of the push that is done, above 0: a shorter cycle
   double turn_rad = 0.0;         ///< of the body over its planted toes and elbows, in each push, to the left
   CrawlTimes times;
   LyingShape lying;

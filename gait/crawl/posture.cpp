@@ -81,7 +81,7 @@ Feasible<Posture> pushPosture(const Crawler& crawler, const CrawlGait& gait, dou
 
 Feasible<Posture> spreadPosture(const Crawler& crawler, const CrawlGait& gait, double share) {
   LinkLengths lengths = crawler.lengths(gait.spread_m);
-  const Triplet end = gait.push.at(1.0);
+  const Triplet end = gait.push.at(gait.stroke);
   const PlanePoint arm = along(lengths[4], end.alpha);
   const PlanePoint elbow{gait.toe_to_elbow_m, 0.0};
   // The shoulder straight down: the chain of a vertical arm that gets shorter.
@@ -89,7 +89,7 @@ Feasible<Posture> spreadPosture(const Crawler& crawler, const CrawlGait& gait, d
   const auto chain = pushPose(lengths, {end.knee, mix(end.hip, gait.lying.hip_rad, share), -kQuarter_rad},
                               {elbow.x - arm.x, 0.0});
   if (!chain) return tl::unexpected(chain.error());
-  return turned(crawler, gait, *chain, lengths, elbow, 0.5 * gait.turn_rad);
+  return turned(crawler, gait, *chain, lengths, elbow, (gait.stroke - 0.5) * gait.turn_rad);
 }
 
 Feasible<Posture> lyingPosture(const Crawler& crawler, const CrawlGait& gait) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "gait/crawl/gait.hpp"
-#include "gait/crawl/steering.hpp"
+#include "gait/crawl/player.hpp"
 #include "sim/physics/simulation.hpp"
 
 namespace underway::physics {
@@ -15,13 +14,9 @@ struct CrawledLine {
   std::vector<Recording> recordings;  ///< one a cycle
 };
 
-/// Whether the heading is kept, from what the IMU says after each cycle.
-enum class Heading { kOpenLoop, kFromImu };
-
-/// Crawls until the line's length is behind, at most twice the cycles that should do. The line begins where
-/// the robot lies and runs where it headed when it was put down. Throws std::invalid_argument when the robot
-/// cannot crawl that gait, turning as the steering may ask.
-[[nodiscard]] CrawledLine crawlLine(Simulation& simulation, const gait::CrawlGait& gait, double length_m,
-                                    Heading heading);
+/// Crawls until the line's length is behind, at most twice the cycles that should do. The robot lies; the
+/// line begins there and runs where it headed when it was put down, and the player, which has been told so,
+/// keeps it from what the IMU says after each cycle.
+[[nodiscard]] CrawledLine crawlLine(Simulation& simulation, gait::CrawlPlayer& player, double length_m);
 
 }  // namespace underway::physics

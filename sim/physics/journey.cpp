@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "gait/crawl/crawler.hpp"
-#include "gait/crawl/switches.hpp"
+#include "gait/crawl/player.hpp"
 
 namespace underway::physics {
 namespace {
@@ -44,18 +44,18 @@ Expected<Journey> crawlUnder(const std::filesystem::path& robot, const Table& ta
                              const gait::CrawlGait& gait, const Conditions& conditions) {
   auto simulation = Simulation::make(robot, {.ground = {}, .obstacles = boxesOf(table)}, conditions);
   if (!simulation) return tl::unexpected(simulation.error());
-  const auto cycle = gait::crawlMotion(gait::naoCrawler(), gait);
-  if (!cycle) throw std::invalid_argument("NAO cannot crawl so: " + cycle.error().message);
-  const gait::JointTable down = gait::goDown(*cycle);
+  auto player = gait::CrawlPlayer::make(gait::naoCrawler(), gait);
+  if (!player) throw std::invalid_argument("NAO cannot crawl so: " + player.error().message);
+  const gait::JointTable down = player->down(0.0);
   simulation->start(down, Posture::kStanding, {});
   Journey journey;
   const Pose start = simulation->now().standing;
   journey.down = simulation->play(down, Posture::kStanding);
   journey.lying_after_down = relative(start, simulation->now().lying);
   const double behind = table.from_m + table.depth_m + kRoomToGetUp_m;
-  journey.crawl = crawlLine(*simulation, gait, behind - simulation->now().lying.x, Heading::kFromImu);
+  journey.crawl = crawlLine(*simulation, *player, behind - simulation->now().lying.x);
   const Pose lay = simulation->now().lying;
-  journey.up = simulation->play(gait::getUp(*cycle), Posture::kLying);
+  journey.up = simulation->play(player->up(), Posture::kLying);
   const Recording rest = simulation->hold(kRest_s, Posture::kStanding);
   journey.standing_after_up = relative(lay, simulation->now().standing);
   journey.end = relative(start, simulation->now().standing);

@@ -138,6 +138,18 @@ void Simulation::start(const gait::JointTable& table, Posture posture, const Pos
   imu_zero_rad_ += imuHeading();
 }
 
+void Simulation::carry(const Pose& by) {
+  mj_forward(model_.get(), data_.get());
+  const Pose from = frame(Posture::kStanding);
+  const Pose root = compose(compose(from, by), relative(from, {data_->qpos[0], data_->qpos[1], 0.0}));
+  data_->qpos[0] = root.x;
+  data_->qpos[1] = root.y;
+  const double turn[4] = {std::cos(0.5 * by.yaw), 0.0, 0.0, std::sin(0.5 * by.yaw)};
+  double turned[4];
+  mju_mulQuat(turned, turn, data_->qpos + 3);
+  std::copy_n(turned, 4, data_->qpos + 3);
+}
+
 Recording Simulation::play(const gait::JointTable& table, Posture frame_of) {
   mj_forward(model_.get(), data_.get());
   return play(table, frame(frame_of));

@@ -36,6 +36,10 @@ class Simulation {
   /// Keeps the targets for a while.
   Recording hold(double seconds, Posture frame_of);
 
+  /// Puts the robot somewhere else, its joints and its posture as they are: by so much, in the body frame of
+  /// the standing robot.
+  void carry(const Pose& by);
+
   /// The robot now; its box in the frame of the ground.
   [[nodiscard]] Sample now() const;
   /// Of one of the robot's joints [rad]. Throws std::invalid_argument when there is none of that name.

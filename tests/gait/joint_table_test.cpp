@@ -61,6 +61,14 @@ TEST(JointTable, IsTheSameMotionWithDenserRows) {
   EXPECT_EQ(twoRows().denser(5.0), twoRows());
 }
 
+TEST(JointTable, PartsOfItPlayedInTurnAreTheWholeMotion) {
+  const JointTable whole = twoRows();
+  JointTable dut = whole.part(whole.time(0), 1.3);
+  for (double from = 1.3; from < 3.4; from += 0.7) dut.append(whole.part(from, from + 0.7));
+  for (double time_s = 0.5; time_s < 4.0; time_s += 0.1)
+    EXPECT_NEAR(dut.sample(time_s)[1], whole.sample(time_s)[1], 1e-12);
+}
+
 TEST(JointTable, RefusesToJumpToWhatFollows) {
   JointTable dut = twoRows();
   JointTable elsewhere(dut.joints());
