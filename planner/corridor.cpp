@@ -29,7 +29,9 @@ class Passing {
     for (const Station& station : corridor) {
       at_.emplace_back(station.options.size());
       turns_freely_.emplace_back(station.options.size(), -1);
+      left_.emplace_back(station.options.size(), Cost::most());
     }
+    lookBack();
   }
 
   std::optional<Passage> cheapest(Interrupt& interrupt) {
@@ -53,6 +55,29 @@ class Passing {
   }
 
  private:
+  /// What is left from each option to the goal, at least: legs the cheapest way, nothing in the way of them,
+  /// and no turns.
+  void lookBack() {
+    left_.back()[0] = Cost();
+    for (std::size_t from = corridor_.size() - 1; from-- > 0;)
+      for (std::size_t option = 0; option < left_[from].size(); ++option) left_[from][option] = leastLeft(from, option);
+  }
+
+  [[nodiscard]] Cost leastLeft(std::size_t from, std::size_t option) const {
+    const Point here = corridor_[from].options[option].out.position();
+    Cost least = Cost::most();
+    for (std::size_t to = from + 1; to < corridor_.size() && to <= from + corridor_[from].reach; ++to) {
+      for (std::size_t o = 0; o < corridor_[to].options.size(); ++o) {
+        const Option& there = corridor_[to].options[o];
+        const double way_m = distance(here, there.in.position());
+        const Cost leg = way_m <= kSamePoint_m ? Cost() : corridor_[from].legs_on->cheapestLeg(way_m);
+        least = std::min(least, leg + there.cost + left_[to][o]);
+      }
+      if (!corridor_[to].may_be_skipped) break;
+    }
+    return least;
+  }
+
   void leave(std::uint32_t from, std::uint32_t option) {
     for (std::uint32_t to = from + 1; to < corridor_.size() && to <= from + corridor_[from].reach; ++to) {
       for (std::uint32_t o = 0; o < corridor_[to].options.size(); ++o) go(from, option, to, o);
@@ -72,6 +97,7 @@ class Passing {
           arrive(state, to, to_option, kNone, states_[state].leaving, states_[state].cost, legs);
       return;
     }
+    if (limit(to, to_option, legs.cheapestLeg(way_m)) <= leastOf(from, option)) return;
     const double direction = std::atan2(b.in.y - a.out.y, b.in.x - a.out.x);
     const double keep_m = std::min(a.keep_m, b.keep_m);
     const std::size_t count = legs.ways().size();
@@ -122,13 +148,19 @@ class Passing {
   /// What a state may cost before a leg and still be of use after it: less than the bound, and no more above
   /// the cheapest there than any change of stance costs.
   [[nodiscard]] Cost limit(std::uint32_t station, std::uint32_t option, Cost leg) const {
-    const Cost most = std::min(bound_, leastAt(station, option));
+    const Cost ahead = corridor_[station].options[option].cost + left_[station][option];
+    const Cost most = std::min(bound_ > ahead ? bound_ - ahead : Cost(), leastAt(station, option));
     return most > leg ? most - leg : Cost();
   }
 
-  [[nodiscard]] Cost leastAt(std::uint32_t station, std::uint32_t option) const {
+  [[nodiscard]] Cost leastOf(std::uint32_t station, std::uint32_t option) const {
     Cost least = Cost::most();
     for (const std::uint32_t state : at_[station][option]) least = std::min(least, states_[state].cost);
+    return least;
+  }
+
+  [[nodiscard]] Cost leastAt(std::uint32_t station, std::uint32_t option) const {
+    const Cost least = leastOf(station, option);
     if (least == Cost::most()) return least;
     const Option& here = corridor_[station].options[option];
     return here.is_stop ? least + corridor_[station].legs_on->dearestChange() : least;
@@ -184,6 +216,7 @@ class Passing {
   Cost bound_;
   std::vector<State> states_;
   std::vector<std::vector<std::vector<std::uint32_t>>> at_;  // states by station and option
+  std::vector<std::vector<Cost>> left_;                      // by station and option
   std::vector<std::vector<char>> turns_freely_;              // by station and option; -1: not known
   std::vector<char> free_;                                   // of the leg at hand, by way; -1: not known
 };

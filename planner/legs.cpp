@@ -75,6 +75,10 @@ Cost Legs::cheapestLeg(std::uint32_t ways, double length_m) const {
   return least;
 }
 
+Cost Legs::cheapestLeg(double length_m) const {
+  return ways_.empty() ? Cost() : cheapestLeg((1U << ways_.size()) - 1U, length_m);
+}
+
 bool Legs::coverTheSame(const Way& a, const Way& b) const {
   const Mode& mode = robot_.modes[a.mode];
   const Mode& other = robot_.modes[b.mode];

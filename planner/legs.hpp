@@ -54,6 +54,8 @@ class Legs {
   [[nodiscard]] Cost legCost(const Way& way, double length_m) const;
   /// The least that a translation costs by any of some ways, of which there is one at least [m].
   [[nodiscard]] Cost cheapestLeg(std::uint32_t ways, double length_m) const;
+  /// The same by any way at all; 0 where there is none.
+  [[nodiscard]] Cost cheapestLeg(double length_m) const;
   /// Whether a translation from a stop is free; keep_m: what its ends ask for (roadmap.hpp: isFreeKeeping).
   [[nodiscard]] bool isLegFree(const Way& way, Point from, Point to, double yaw, double keep_m) const;
 
