@@ -60,7 +60,8 @@ class Passing {
   void lookBack() {
     left_.back()[0] = Cost();
     for (std::size_t from = corridor_.size() - 1; from-- > 0;)
-      for (std::size_t option = 0; option < left_[from].size(); ++option) left_[from][option] = leastLeft(from, option);
+      for (std::size_t option = 0; option < left_[from].size(); ++option)
+        left_[from][option] = leastLeft(from, option);
   }
 
   [[nodiscard]] Cost leastLeft(std::size_t from, std::size_t option) const {

@@ -192,10 +192,24 @@ bool Nudge::replace(Index first, Index count, std::span<const Node> news, WayInd
   if (after + 1 < steps_.size()) trail.add(nodeOf(after + 1));
   Cost bound;
   for (Index i = first; i <= std::min(after + 1, steps_.size() - 1); ++i) bound = bound + links_[i];
-  if (!isCheaper(trail, bound, Rigour::kCostsOnly) || (crossing && !crossing->isFree()) ||
-      !isCheaper(trail, bound, Rigour::kFree))
+  if (!mayBeCheaper(trail, bound) || !isCheaper(trail, bound, Rigour::kCostsOnly) ||
+      (crossing && !crossing->isFree()) || !isCheaper(trail, bound, Rigour::kFree))
     return false;
   put(first, count, news, trail);
+  return true;
+}
+
+/// Whether the legs alone, without any turns, leave a chance.
+bool Nudge::mayBeCheaper(const Trail& trail, Cost bound) {
+  Cost sum;
+  for (std::size_t k = 1; k < trail.size; ++k) {
+    const Node& node = trail.nodes[k];
+    sum = sum + node.option->cost;
+    if (!node.way) continue;
+    const double way_m = distance(trail.nodes[k - 1].option->out.position(), node.option->in.position());
+    sum = sum + node.legs->legCost(node.legs->ways()[*node.way], way_m);
+    if (sum >= bound) return false;
+  }
   return true;
 }
 

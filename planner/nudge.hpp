@@ -61,6 +61,7 @@ class Nudge {
   bool replace(Index first, Index count, std::span<const Node> news, WayIndex way_after,
                const Movable* crossing = nullptr);
   void put(Index first, Index count, std::span<const Node> news, const Trail& trail);
+  static bool mayBeCheaper(const Trail& trail, Cost bound);
   static bool isCheaper(Trail& trail, Cost bound, Rigour rigour);
   static Cost link(const Node& before, Node& node, Rigour rigour);
   void markNear(Index i);
