@@ -21,6 +21,8 @@ struct LocalBench {
 
 /// The closed form of the heading against a numerical minimiser; a tick's time.
 [[nodiscard]] Expected<void> addHeading(const LocalBench& bench, Report& report);
+/// The second half of it.
+[[nodiscard]] Expected<void> addTicks(const LocalBench& bench, Report& report);
 /// GODZILA without a plan: arenas, gaps, a wall, a U.
 [[nodiscard]] Expected<void> addPure(const LocalBench& bench, Report& report);
 /// Plans executed in the rooms of maps/, also with doubled noise.
