@@ -7,9 +7,9 @@
 
 #include "local/godzila/heading.hpp"
 
-// Made for a plain processor and for one that takes four numbers at once; which, is told when the program
-// runs.
-#if defined(__x86_64__) && defined(__GNUC__)
+// Made for a plain processor and for one that takes four numbers at once; which, is told when the program is
+// loaded. The thread sanitizer cannot be asked so early.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__)
 #define UNDERWAY_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define UNDERWAY_WIDE
