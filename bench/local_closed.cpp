@@ -14,14 +14,14 @@ struct Count {
   unsigned long runs = 0;
   unsigned long arrived = 0;
   unsigned long blocked = 0;  // truly, and said so
-  unsigned long collided = 0;
+  Collisions collisions;
 };
 
 void count(const LoopRun& run, Count& so_far) {
   ++so_far.runs;
   so_far.arrived += run.has_arrived ? 1 : 0;
   so_far.blocked += run.is_truly_blocked ? 1 : 0;
-  so_far.collided += run.has_collided ? 1 : 0;
+  so_far.collisions.count(run.has_collided, run.is_disputed);
 }
 
 void addRows(const std::string& what, const std::string& does, const Count& so_far, double least_percent,
@@ -33,15 +33,7 @@ void addRows(const std::string& what, const std::string& does, const Count& so_f
   if (asked.ends_with('.')) asked.pop_back();
   report.rows.push_back(
       {what + ": " + does, percent, "%", asked, percent >= least_percent, 1, so_far.runs, {}, {}});
-  report.rows.push_back({what + ": collide",
-                         static_cast<double>(so_far.collided),
-                         "runs",
-                         "0",
-                         so_far.collided == 0,
-                         1,
-                         so_far.runs,
-                         {},
-                         {}});
+  so_far.collisions.addRows(what, report);
 }
 
 ExecutorSettings settingsFor(double noise) {
@@ -112,7 +104,7 @@ void addPapersTrigger(const LocalBench& bench, const Course& course, Report& rep
   report.rows.push_back(
       {"the same by the papers' fixed number of cycles: arrive", percent, "%", "", {}, 1, seeds, {}, {}});
   report.rows.push_back({"the same by the papers' fixed number of cycles: collide",
-                         static_cast<double>(so_far.collided),
+                         static_cast<double>(so_far.collisions.collided),
                          "runs",
                          "",
                          {},

@@ -24,6 +24,7 @@ bool isTrulyBlocked(const Course& course, const std::shared_ptr<const Robot>& ro
 
 void judge(const Course& course, const sim::Truth& truth, LoopRun& run) {
   run.has_collided = truth.has_collided;
+  run.is_disputed = truth.is_disputed;
   if (truth.has_collided) run.why = "touched " + truth.with;
   run.off_m = distance(truth.pose.position(), course.request.goal);
   run.off_rad =

@@ -23,7 +23,8 @@ struct LoopRun {
   Mission::Outcome outcome = Mission::Outcome::kUnderway;
   bool has_arrived = false;       ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
   bool is_truly_blocked = false;  ///< it said so, and in the true world there is no plan from where it stands
-  bool has_collided = false;
+  bool has_collided = false;      ///< by either judge
+  bool is_disputed = false;       ///< the judges of the simulated robot disagree
   std::string why;
   double off_m = 0.0;  ///< from the goal, in truth
   double off_rad = 0.0;

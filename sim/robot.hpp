@@ -11,6 +11,7 @@
 #include "local/command.hpp"
 #include "local/senses.hpp"
 #include "sim/lidar.hpp"
+#include "sim/second_judge.hpp"
 
 namespace underway::sim {
 
@@ -33,15 +34,16 @@ struct Flaws {
 struct Truth {
   Pose pose;
   ModeId mode = 0;
-  bool has_collided = false;
-  std::string with;      ///< the first obstacle it touched
-  double moved_m = 0.0;  ///< length of the way so far
+  bool has_collided = false;  ///< by the word of either judge
+  std::string with;           ///< the first obstacle it touched
+  bool is_disputed = false;   ///< the judges disagree on a motion by more than touching
+  double moved_m = 0.0;       ///< length of the way so far
 };
 
 /// A robot that walks, sidesteps, turns and crawls in a world, within its gaits' speed limits. Every tick's
 /// motion is made of a turn and two translations, and each of them, and every switch's box, is checked
-/// exactly against the true world (geometry/checker.hpp); nobody who drives it sees that. The same seed and
-/// commands give the same run.
+/// against the true world twice: exactly (geometry/checker.hpp), and by a second judge that shares nothing
+/// with that. Nobody who drives it sees them. The same seed and commands give the same run.
 class SimulatedRobot {
  public:
   static constexpr double kTick_s = 0.1;
@@ -76,6 +78,7 @@ class SimulatedRobot {
   std::shared_ptr<const World> world_;
   std::shared_ptr<const Robot> robot_;
   Checker checker_;
+  SecondJudge second_judge_;
   std::optional<Lidar> waist_;
   std::optional<Lidar> head_;
   std::optional<Lidar> depth_;
