@@ -57,7 +57,9 @@ Tick Mission::tick(const Senses& senses) {
       if (!senses.has_fallen) ask(senses);
       break;
     case State::kStalled:
-      outcome_ = Outcome::kNeedsHelp, why_ = "the crawl does not progress, or there is no room to get up";
+      outcome_ = Outcome::kNeedsHelp;
+      why_ = "the robot lies and cannot go on: " + std::string(executor_.whyStalled()) +
+             "; free it, then ask for a new plan";
       break;
     case State::kLost:
       if (lost_s_ == 0.0) lost_s_ = senses.now_s;

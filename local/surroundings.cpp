@@ -13,7 +13,10 @@ namespace {
 
 constexpr std::size_t kMostPoints = 2048;
 constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
-constexpr double kGuarded_m = 1.0;   // what is further away cannot be run into in a tick
+/// From where something was seen before: a body's corner may point between the means of two cells, and the
+/// belief is off by some millimetres.
+constexpr double kRemembered_m = 0.03;
+constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
   Tolerance tolerance;
@@ -48,6 +51,7 @@ Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr
     : settings_(settings),
       robot_(std::move(robot)),
       against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
+      against_remembered_({kRemembered_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
@@ -67,6 +71,7 @@ void Surroundings::expect(const World& map, const Plan& plan) {
 
 void Surroundings::see(const Senses& senses, const Pose& from) {
   against_unmapped_.clear();
+  against_remembered_.clear();
   against_all_.clear();
   window_.slideTo(from.position());
   ++turn_;
@@ -82,7 +87,7 @@ void Surroundings::addWhatWasSeen(const Pose& from) {
   constexpr double kReach_m = 0.5;
   const SeenFrom seen(from);
   window_.visitOccupied(from.position(), kReach_m,
-                        [&](Point cell, bool) { against_unmapped_.add(seen(cell)); });
+                        [&](Point cell, bool) { against_remembered_.add(seen(cell)); });
 }
 
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
@@ -179,7 +184,7 @@ std::optional<double> Surroundings::shiftAround(const Motion& translation, doubl
 }
 
 Velocity Surroundings::guarded(const Velocity& wanted) const {
-  return against_all_.allowed(against_unmapped_.allowed(wanted));
+  return against_all_.allowed(against_remembered_.allowed(against_unmapped_.allowed(wanted)));
 }
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {

@@ -65,6 +65,7 @@ class Surroundings {
   MapView depth_map_;
   Window window_;
   Guard against_unmapped_;
+  Guard against_remembered_;
   Guard against_all_;
   std::size_t turn_ = 0;  // which of the beams are looked at for what is free
 };

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "bench/local_courses.hpp"
+#include "sim/robot.hpp"
 #include "tests/planner/fixture.hpp"
 
 namespace underway {
