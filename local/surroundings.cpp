@@ -15,7 +15,7 @@ constexpr std::size_t kMostPoints = 2048;
 constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
 /// From where something was seen before: a body's corner may point between the means of two cells, and the
 /// belief is off by some millimetres.
-constexpr double kRemembered_m = 0.03;
+constexpr double kRemembered_m = 0.04;
 constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
