@@ -14,10 +14,10 @@ constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
 
-/// How large what was seen in a cell is taken, for the noise and for corners that were not seen: all cells
-/// together leave no gaps for a body. Where that leaves no plan less is tried, which the guard watches over
-/// all the same.
-constexpr std::array kSize_m{0.06, 0.04, 0.02};
+/// What was seen is first taken for more than points, for the noise, for corners and for what was not seen:
+/// all together they leave no gaps for a body. Where that leaves no plan less is tried, which the guard
+/// watches over all the same.
+constexpr std::array kCautions{Caution{0.06, true}, Caution{0.04, false}, Caution{0.02, false}};
 
 }  // namespace
 
@@ -110,9 +110,9 @@ void Mission::refused(const Error& error, double now_s) {
 }
 
 std::shared_ptr<const World> Mission::worldWithSurprises(const World& base) const {
-  const double size_m = kSize_m.at(std::min(static_cast<std::size_t>(refusals_), kSize_m.size() - 1));
+  const Caution& caution = kCautions.at(std::min(static_cast<std::size_t>(refusals_), kCautions.size() - 1));
   return std::make_shared<const World>(
-      withSurprises(base, executor_.surprises(), size_m, *robot_, executor_.mode(), executor_.pose()));
+      withSurprises(base, executor_.surprises(), caution, *robot_, executor_.mode(), executor_.pose()));
 }
 
 }  // namespace underway

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "geometry/checker.hpp"
 #include "local/seen_from.hpp"
@@ -26,19 +27,42 @@ bool standsOn(const BodyBox& body, Point p) {
          p.y < body.y.max + kHalf_m;
 }
 
+/// Where a row of points seems to end, it may go on: two more beyond its end, as far apart as cells.
+void addBeyondEnds(std::span<const Point> seen, std::vector<Point>& points) {
+  constexpr double kNear_m = 0.09;
+  constexpr double kEnd = 0.7;  // how much to one side the neighbours of an end lie, 1: all in one direction
+  for (const Point p : seen) {
+    Point sum{0.0, 0.0};
+    double count = 0.0;
+    for (const Point q : seen) {
+      const double apart = distance(p, q);
+      if (apart == 0.0 || apart > kNear_m) continue;
+      sum.x += (q.x - p.x) / apart;
+      sum.y += (q.y - p.y) / apart;
+      count += 1.0;
+    }
+    const double size = std::hypot(sum.x, sum.y);
+    if (count == 0.0 || size < kEnd * count) continue;
+    for (const double beyond : {Window::kCell_m, 2.0 * Window::kCell_m})
+      points.push_back({p.x - beyond * sum.x / size, p.y - beyond * sum.y / size});
+  }
+}
+
 bool isLow(const Robot& robot, ModeId mode) {
   return robot.modes[mode].body_m.z.max < robot.modes.front().body_m.z.max;
 }
 
 }  // namespace
 
-World withSurprises(const World& base, std::span<const Point> seen, double size_m, const Robot& robot,
-                    ModeId mode, const Pose& at) {
+World withSurprises(const World& base, std::span<const Point> seen, const Caution& caution,
+                    const Robot& robot, ModeId mode, const Pose& at) {
   World world = base;
   const SeenFrom robots(at);
-  for (const Point point : seen) {
+  std::vector<Point> points(seen.begin(), seen.end());
+  if (caution.extends_ends) addBeyondEnds(seen, points);
+  for (const Point point : points) {
     if (standsOn(robot.modes[mode].body_m, robots(point))) continue;
-    if (auto with = world.added(obstacleAt(point, size_m, world, robot))) world = std::move(*with);
+    if (auto with = world.added(obstacleAt(point, caution.size_m, world, robot))) world = std::move(*with);
   }
   return world;
 }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostPoints = 2048;
 constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
 /// From where something was seen before: a body's corner may point between the means of two cells, and the
 /// belief is off by some millimetres.
-constexpr double kRemembered_m = 0.04;
+constexpr double kRemembered_m = 0.03;
 constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
@@ -40,7 +40,8 @@ struct Shifts {
     return most_m < kStep_m ? 1 : std::min(1 + 2 * static_cast<std::size_t>(most_m / kStep_m), kMost);
   }
   [[nodiscard]] static double shift(std::size_t i) {
-    const double size = kStep_m * static_cast<double>((i + 1) / 2);
+    const std::size_t steps = (i + 1) / 2;
+    const double size = kStep_m * static_cast<double>(steps);
     return i % 2 == 1 ? size : -size;
   }
 };

@@ -30,16 +30,16 @@ void Window::slideTo(Point at) {
     return;
   }
   // Columns and rows that slide in take the places of those that slide out.
-  const auto forgetColumn = [this](std::int64_t x) {
+  const auto forget_column = [this](std::int64_t x) {
     for (std::size_t row = 0; row < kCells; ++row) forget(row * kCells + wrapped(x));
   };
-  const auto forgetRow = [this](std::int64_t y) {
+  const auto forget_row = [this](std::int64_t y) {
     for (std::size_t column = 0; column < kCells; ++column) forget(wrapped(y) * kCells + column);
   };
-  while (corner_.x < corner.x) forgetColumn(corner_.x++);
-  while (corner_.x > corner.x) forgetColumn(--corner_.x);
-  while (corner_.y < corner.y) forgetRow(corner_.y++);
-  while (corner_.y > corner.y) forgetRow(--corner_.y);
+  while (corner_.x < corner.x) forget_column(corner_.x++);
+  while (corner_.x > corner.x) forget_column(--corner_.x);
+  while (corner_.y < corner.y) forget_row(corner_.y++);
+  while (corner_.y > corner.y) forget_row(--corner_.y);
 }
 
 void Window::hit(Point at) {

@@ -13,8 +13,8 @@ const Pose kStart{0.6, 2.0, 0.0};
 
 TEST(Surprises, BecomeObstaclesAsHighAsTheRobotWhereTheyWereSeen) {
   const auto map = test::ourWorld("scenario3");
-  const World world =
-      withSurprises(*map, std::array{Point{1.2, 2.2}, Point{1.26, 2.2}}, 0.06, *test::nao(), 0, kStart);
+  const World world = withSurprises(*map, std::array{Point{1.2, 2.2}, Point{1.26, 2.2}}, Caution{0.06, false},
+                                    *test::nao(), 0, kStart);
   EXPECT_EQ(world.obstacles().size(), map->obstacles().size() + 2);
   const Checker checker(std::make_shared<const World>(world), test::nao());
   EXPECT_TRUE(checker.isFree(stay(0, {0.6, 2.0, 0.0})));
@@ -24,16 +24,27 @@ TEST(Surprises, BecomeObstaclesAsHighAsTheRobotWhereTheyWereSeen) {
 
 TEST(Surprises, AreNotWhereTheRobotStands) {
   const auto map = test::ourWorld("scenario3");
-  const World world = withSurprises(*map, std::array{Point{0.65, 2.1}}, 0.06, *test::nao(), 0, kStart);
+  const World world =
+      withSurprises(*map, std::array{Point{0.65, 2.1}}, Caution{0.06, false}, *test::nao(), 0, kStart);
   EXPECT_EQ(world.obstacles().size(), map->obstacles().size());
+}
+
+TEST(Surprises, MayGoOnWhereARowOfThemEnds) {
+  const auto map = test::ourWorld("scenario3");
+  const std::array row{Point{1.2, 2.5}, Point{1.25, 2.5}, Point{1.3, 2.5}, Point{1.35, 2.5}};
+  const auto with = [&](bool extends_ends) {
+    return withSurprises(*map, row, Caution{0.06, extends_ends}, *test::nao(), 0, kStart).obstacles().size();
+  };
+  EXPECT_EQ(with(false), map->obstacles().size() + 4);
+  EXPECT_EQ(with(true), map->obstacles().size() + 8);  // two beyond each end
 }
 
 /// Scenario 3's plan, which lies down at 3.02 m and gets up at 4.62 m, with something seen at a point.
 bool crawlsBeside(Point seen) {
   const auto map = test::ourWorld("scenario3");
   const Plan plan = *Planner(map, test::nao()).plan(test::requestFor(kStart, {5.4, 2.0, 0.0}), test::soon());
-  const auto world =
-      std::make_shared<const World>(withSurprises(*map, std::array{seen}, 0.06, *test::nao(), 0, kStart));
+  const auto world = std::make_shared<const World>(
+      withSurprises(*map, std::array{seen}, Caution{0.06, false}, *test::nao(), 0, kStart));
   return crawlsBesideSurprises(plan, world, test::nao());
 }
 
