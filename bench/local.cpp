@@ -17,6 +17,21 @@ constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure}, 
 
 }  // namespace
 
+void Collisions::count(bool has_collided, bool is_disputed) {
+  ++runs;
+  collided += has_collided ? 1 : 0;
+  disputed += is_disputed ? 1 : 0;
+}
+
+void Collisions::addRows(const std::string& what, Report& report) const {
+  const auto add = [&](const std::string& does, unsigned long count) {
+    report.rows.push_back(
+        {what + ": " + does, static_cast<double>(count), "runs", "0", count == 0, 1, runs, {}, {}});
+  };
+  add("collide, by either judge", collided);
+  add("the judges disagree", disputed);
+}
+
 std::vector<std::string> localParts() {
   std::vector<std::string> names;
   for (const Part& part : kParts) names.emplace_back(part.name);

@@ -54,7 +54,8 @@ class Intruder {
     const Checker checker(shared, robot_);
     const Request& request = course_.request;
     const Pose goal{request.goal.x, request.goal.y, request.goal_yaw.value_or(0.0)};
-    for (ModeId mode = 0; mode < robot_->modes.size(); ++mode) {
+    for (std::size_t i = 0; i < robot_->modes.size(); ++i) {
+      const auto mode = static_cast<ModeId>(i);
       const bool is_end = mode == request.goal_mode || mode == 0;
       if (mode == request.start_mode && blocked(checker, stay(mode, request.start))) return false;
       if (is_end && blocked(checker, stay(mode, goal))) return false;
@@ -70,7 +71,7 @@ class Intruder {
   /// Whether something of ours has come too near.
   static bool blocked(const Checker& checker, const Motion& motion) {
     for (const std::string& id : checker.blockers(motion, kBerth_m, 100))
-      if (id.starts_with("unmapped")) return true;
+      if (id.starts_with(kUnmapped)) return true;
     return false;
   }
   [[nodiscard]] bool isLying(const Motion& motion) const {
@@ -118,8 +119,8 @@ Course withUnmappedBoxes(const Course& course, const Plan& plan, const std::shar
       const Point at = intruder.onTheWay(0.4);
       const Vec3 size{intruder.between(0.1, 0.4), intruder.between(0.1, 0.4), intruder.between(0.4, 1.0)};
       const double yaw = intruder.between(0.0, std::numbers::pi);
-      if (intruder.add(
-              {{"unmapped_" + std::to_string(i), {{at.x, at.y, 0.5 * size.z}, size, {0.0, 0.0, yaw}}}}))
+      if (intruder.add({{std::string(kUnmapped) + "_" + std::to_string(i),
+                         {{at.x, at.y, 0.5 * size.z}, size, {0.0, 0.0, yaw}}}}))
         break;
     }
   return intruder.course();
@@ -134,7 +135,8 @@ Course withUnmappedTables(const Course& course, const Plan& plan, const std::sha
       const Point at = intruder.onTheWay(0.4);
       const Range size{intruder.between(0.4, 0.9), intruder.between(0.4, 0.9)};
       if (intruder.add(tableAt(at, intruder.between(0.0, std::numbers::pi), size,
-                               intruder.between(0.34, 0.54), "unmapped_" + std::to_string(i))))
+                               intruder.between(0.34, 0.54),
+                               std::string(kUnmapped) + "_" + std::to_string(i))))
         break;
     }
   return intruder.course();

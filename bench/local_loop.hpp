@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "local/mission.hpp"
@@ -10,6 +11,9 @@
 #include "sim/robot.hpp"
 
 namespace underway::bench {
+
+/// What ids of obstacles begin with that are in the true world and not in the map.
+inline constexpr std::string_view kUnmapped = "unmapped";
 
 /// A mission to be driven: the map that the planner has, the world as it is, and what is asked for.
 struct Course {
@@ -21,9 +25,11 @@ struct Course {
 
 struct LoopRun {
   Mission::Outcome outcome = Mission::Outcome::kUnderway;
-  bool has_arrived = false;       ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
-  bool is_truly_blocked = false;  ///< it said so, and in the true world there is no plan from where it stands
-  bool has_collided = false;
+  bool has_arrived = false;         ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
+  bool is_truly_blocked = false;    ///< it said so, and in the true world it is proven from where it stands
+  bool is_soundly_blocked = false;  ///< the same, or with what is unmapped 2 cm larger
+  bool has_collided = false;        ///< by either judge
+  bool is_disputed = false;         ///< the judges of the simulated robot disagree
   std::string why;
   double off_m = 0.0;  ///< from the goal, in truth
   double off_rad = 0.0;

@@ -19,8 +19,21 @@ struct LocalBench {
   [[nodiscard]] unsigned long seeds(unsigned long all) const { return options.quick ? (all + 19) / 20 : all; }
 };
 
+/// In how many of some runs the robot collides, by the word of either of its judges, and in how many the two
+/// disagree by more than touching: 0 are asked for.
+struct Collisions {
+  unsigned long runs = 0;
+  unsigned long collided = 0;
+  unsigned long disputed = 0;
+
+  void count(bool has_collided, bool is_disputed);
+  void addRows(const std::string& what, Report& report) const;
+};
+
 /// The closed form of the heading against a numerical minimiser; a tick's time.
 [[nodiscard]] Expected<void> addHeading(const LocalBench& bench, Report& report);
+/// The second half of it.
+[[nodiscard]] Expected<void> addTicks(const LocalBench& bench, Report& report);
 /// GODZILA without a plan: arenas, gaps, a wall, a U.
 [[nodiscard]] Expected<void> addPure(const LocalBench& bench, Report& report);
 /// Plans executed in the rooms of maps/, also with doubled noise.

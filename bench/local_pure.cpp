@@ -11,7 +11,7 @@ constexpr double kLimit_s = 3600.0;  // simulated
 
 struct Count {
   unsigned long arrived = 0;
-  unsigned long collided = 0;
+  Collisions collisions;
   std::vector<double> times_s;
 };
 
@@ -23,7 +23,7 @@ Count countOf(const LocalBench& bench, const RoomOf& room, const PureSettings& s
   for (unsigned long seed = 1; seed <= seeds; ++seed) {
     const PureRun run = drivePurely(room(seed), bench.robot, settings, seed, kLimit_s);
     count.arrived += run.has_arrived ? 1 : 0;
-    count.collided += run.has_collided ? 1 : 0;
+    count.collisions.count(run.has_collided, run.is_disputed);
     count.times_s.push_back(run.time_s);
     bench.progress(static_cast<double>(seed) / static_cast<double>(seeds));
   }
@@ -35,15 +35,7 @@ void addRows(const std::string& what, const Count& count, double least_percent, 
   const double percent = 100.0 * static_cast<double>(count.arrived) / static_cast<double>(seeds);
   const auto asked = ">= " + std::to_string(static_cast<int>(least_percent));
   report.rows.push_back({what + ": arrive", percent, "%", asked, percent >= least_percent, 1, seeds, {}, {}});
-  report.rows.push_back({what + ": collide",
-                         static_cast<double>(count.collided),
-                         "runs",
-                         "0",
-                         count.collided == 0,
-                         1,
-                         seeds,
-                         {},
-                         {}});
+  count.collisions.addRows(what, report);
   report.rows.push_back(
       {what + ": simulated time, p50", quantile(count.times_s, 0.5), "s", "", {}, 1, seeds, {}, {}});
 }

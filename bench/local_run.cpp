@@ -13,6 +13,7 @@ PureRun drivePurely(const PureRoom& room, const std::shared_ptr<const Robot>& ro
     const auto drive = godzila.tick(*senses.scan, bearingOf(room.goal, senses.pose->pose));
     body.step({drive.velocity, std::nullopt});
     run.has_collided = body.truth().has_collided;
+    run.is_disputed = body.truth().is_disputed;
     // Its own word, and true: noise may tell it so a little early.
     run.has_arrived = drive.state == Godzila::State::kArrived;
     if (watch) watch(body, drive.state);

@@ -11,8 +11,9 @@ namespace underway::bench {
 /// How one run ended.
 struct PureRun {
   bool has_arrived = false;
-  bool has_collided = false;
-  double time_s = 0.0;  ///< simulated
+  bool has_collided = false;  ///< by either judge
+  bool is_disputed = false;   ///< the judges of the simulated robot disagree
+  double time_s = 0.0;        ///< simulated
   unsigned traps = 0;
 };
 

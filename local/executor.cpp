@@ -113,7 +113,7 @@ void Executor::finishSegments(const Senses& senses) {
 }
 
 void Executor::watchProgress() {
-  constexpr double kProgress = 0.003;  // [m], [rad]
+  constexpr double kProgress = 0.02;  // [m], [rad]; what the guard lets through bit by bit is none
   idle_s_ += settings_.tick_s;
   if (next() != Next::kMove || current()->motion.kind == MotionKind::kSwitch) return;
   const double progress = follow_.progress(*current(), belief_.pose());
@@ -135,7 +135,10 @@ Situation Executor::situation(const Senses& senses) {
   if (state_ == State::kWalking || state_ == State::kAligning) is.is_blocked = isBlocked();
   if (is.next == Next::kDown && state_ == State::kAligning) is.is_aligned = isAligned();
   if (is.next == Next::kUp && state_ == State::kCrawling) is.has_room_up = hasRoomUpHere();
-  if (state_ == State::kCrawling) is.is_stalled = !is.has_room_up && isStalled();
+  if (state_ == State::kCrawling) {
+    stalled_by_ = is.has_room_up ? "" : stalledBy();
+    is.is_stalled = !stalled_by_.empty();
+  }
   return is;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "geometry/checker.hpp"
@@ -55,6 +56,8 @@ class Executor {
   [[nodiscard]] ModeId mode() const { return mode_; }
   [[nodiscard]] std::size_t segment() const { return segment_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// Stalled: why, in words. Empty otherwise.
+  [[nodiscard]] std::string_view whyStalled() const { return state_ == State::kStalled ? stalled_by_ : ""; }
   /// Where it saw something the map does not have, near the robot: a point for each cell of the window.
   [[nodiscard]] std::vector<Point> surprises() const;
 
@@ -71,7 +74,7 @@ class Executor {
   [[nodiscard]] Pose entry() const;
   [[nodiscard]] bool isAligned();
   [[nodiscard]] bool hasRoomUpHere() const;
-  [[nodiscard]] bool isStalled() const;
+  [[nodiscard]] std::string_view stalledBy() const;
   [[nodiscard]] bool mayCrawlOn() const;
   [[nodiscard]] bool isDone(const Segment& segment, const Senses& senses) const;
   void beginSegment();
@@ -105,6 +108,7 @@ class Executor {
   bool is_stroke_ = false;    // a cycle is under way
   double stride_ = 1.0;       // the share of a whole stroke that it makes
   double stroke_s_ = 0.0;     // for so long
+  std::string_view stalled_by_;
 };
 
 }  // namespace underway

@@ -7,7 +7,8 @@
 
 namespace underway {
 
-/// Whether something unmapped stands where it is to lie down, or along the crawl as far as it was seen.
+/// Whether something unmapped stands where it is to lie down, along the crawl or where it is to get up, as
+/// far as it was seen.
 bool Executor::isPassageBlocked() const {
   if (next() != Next::kDown) return false;
   const Motion& down = current()->motion;
@@ -15,7 +16,10 @@ bool Executor::isPassageBlocked() const {
   if (change != nullptr && surroundings_.isBoxBlocked(change->body_m, belief_.pose())) return true;
   for (std::size_t i = segment_ + 1; i < plan_.segments.size(); ++i) {
     const Motion& motion = plan_.segments[i].motion;
-    if (motion.kind == MotionKind::kSwitch) break;
+    if (motion.kind == MotionKind::kSwitch) {
+      const Switch* up = robot_->findSwitch(motion.mode, motion.to_mode);
+      return up != nullptr && surroundings_.isBoxBlocked(up->body_m, motion.from);
+    }
     if (isLow(motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
   }
   return false;
@@ -36,26 +40,33 @@ bool Executor::isAligned() {
   return aligned_ticks_ >= settings_.crawl.aligned_ticks;
 }
 
+/// By the map, and by what is seen that it does not have.
 bool Executor::hasRoomUpHere() const {
   if (settings_.crawl.fixed) return !is_stroke_;
   const Switch* up = robot_->findSwitch(current()->motion.mode, current()->motion.to_mode);
-  return !is_stroke_ && hasRoomUp(*checker_, *up, belief_.pose(), unsureAfter(crawled_, settings_.crawl));
+  return !is_stroke_ && !surroundings_.isBoxBlocked(up->body_m, belief_.pose()) &&
+         hasRoomUp(*checker_, *up, belief_.pose(), unsureAfter(crawled_, settings_.crawl));
 }
 
-bool Executor::isStalled() const {
-  if (is_stroke_) return stroke_s_ > settings_.crawl.stall_s;
-  if (next() == Next::kUp) return !mayCrawlOn();
+/// Empty as long as it can go on.
+std::string_view Executor::stalledBy() const {
+  if (is_stroke_) return stroke_s_ > settings_.crawl.stall_s ? "the crawl does not progress" : "";
+  if (next() == Next::kUp) return mayCrawlOn() ? "" : "there is no room to get up";
   const Segment* segment = current();
-  return segment != nullptr && next() == Next::kCrawl &&
-         surroundings_.isLaneBlocked(segment->motion, onLane(segment->motion, belief_.pose()).along_m);
+  if (segment == nullptr || next() != Next::kCrawl) return "";
+  const double along = onLane(segment->motion, belief_.pose()).along_m;
+  return surroundings_.isLaneBlocked(segment->motion, along)
+             ? "something that is not in the map lies in its way"
+             : "";
 }
 
 /// Beyond the planned end, looking for room to get up.
 bool Executor::mayCrawlOn() const {
   const Pose& here = belief_.pose();
   constexpr double kMargin_m = 0.005;
+  const Motion stroke = translate(mode_, Sense::kForward, here, settings_.crawl.stroke_m);
   return distance(here.position(), current()->motion.from.position()) < settings_.crawl.longest_extra_m &&
-         checker_->isFree(translate(mode_, Sense::kForward, here, settings_.crawl.stroke_m), kMargin_m);
+         checker_->isFree(stroke, kMargin_m) && !surroundings_.isLaneBlocked(stroke, 0.0);
 }
 
 /// One stroke after the other; the last one is shorter, so that it ends where it should.

@@ -9,11 +9,14 @@ namespace {
 
 constexpr double kFastest_mps = 0.2;  // of any robot this is for; a faster one needs a wider view
 
-double distanceTo(const BodyBox& body, Point p) {
-  const double dx = std::max({body.x.min - p.x, 0.0, p.x - body.x.max});
-  const double dy = std::max({body.y.min - p.y, 0.0, p.y - body.y.max});
-  if (dx > 0.0 || dy > 0.0) return std::hypot(dx, dy);
-  return std::max({body.x.min - p.x, p.x - body.x.max, body.y.min - p.y, p.y - body.y.max});
+/// From a body to a point; negative inside the body. What is further than `most_m` is told as that: most
+/// points are, and are known to be before a root is drawn.
+double distanceTo(const BodyBox& body, Point p, double most_m) {
+  const double dx = std::max(body.x.min - p.x, p.x - body.x.max);
+  const double dy = std::max(body.y.min - p.y, p.y - body.y.max);
+  const double further = std::max(dx, dy);
+  if (further >= most_m) return most_m;
+  return dx > 0.0 && dy > 0.0 ? std::min(std::sqrt(dx * dx + dy * dy), most_m) : further;
 }
 
 }  // namespace
@@ -38,34 +41,38 @@ void Guard::add(Point point) {
 }
 
 double Guard::distanceAfter(const Velocity& velocity, double time_s) const {
+  return distanceAfter(velocity, time_s, near_m_);
+}
+
+double Guard::distanceAfter(const Velocity& velocity, double time_s, double most_m) const {
   const double turned = velocity.turn_radps * time_s;
   const double c = std::cos(turned);
   const double s = std::sin(turned);
-  std::array<double, kMostOutliers + 1> nearest{};  // ascending
-  const std::size_t count = std::min(settings_.outliers, kMostOutliers) + 1;
-  std::fill_n(nearest.begin(), count, near_m_);
+  std::array<double, kMostOutliers + 1> nearest;  // ascending
+  const std::size_t last = std::min(settings_.outliers, kMostOutliers);
+  std::fill_n(nearest.begin(), last + 1, most_m);
   for (const Point p : points_) {
     const double x = p.x - velocity.x_mps * time_s;
     const double y = p.y - velocity.y_mps * time_s;
-    const double away = distanceTo(body_, {c * x + s * y, c * y - s * x});
-    if (away >= nearest[count - 1]) continue;
-    std::size_t at = count - 1;
+    const double away = distanceTo(body_, {c * x + s * y, c * y - s * x}, nearest[last]);
+    if (away >= nearest[last]) continue;
+    std::size_t at = last;
     for (; at > 0 && nearest[at - 1] > away; --at) nearest[at] = nearest[at - 1];
     nearest[at] = away;
   }
-  return nearest[count - 1];
+  return nearest[last];
 }
 
 Velocity Guard::allowed(const Velocity& wanted) const {
   if (points_.empty()) return wanted;
   constexpr double kSlack_m = 1e-4;
-  const double needed = std::min(settings_.margin_m, distanceAfter({}, 0.0) - kSlack_m);
+  const double needed = distanceAfter({}, 0.0, settings_.margin_m + kSlack_m) - kSlack_m;
   const auto scaled = [&](double way, double turn) {
     return Velocity{way * wanted.x_mps, way * wanted.y_mps, turn * wanted.turn_radps};
   };
   for (const Velocity& candidate : {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2),
                                     scaled(0.0, 1.0), scaled(0.0, 0.3), scaled(0.3, 0.0)})
-    if (distanceAfter(candidate, settings_.horizon_s) >= needed) return candidate;
+    if (distanceAfter(candidate, settings_.horizon_s, needed) >= needed) return candidate;
   return {};
 }
 
@@ -73,7 +80,7 @@ Velocity Guard::retreat(double speed_mps) const {
   Point nearest{0.0, 0.0};
   double least = near_m_;
   for (const Point p : points_)
-    if (const double d = distanceTo(body_, p); d < least) least = d, nearest = p;
+    if (const double d = distanceTo(body_, p, least); d < least) least = d, nearest = p;
   const double range = std::hypot(nearest.x, nearest.y);
   if (range == 0.0) return {};
   return {-speed_mps * nearest.x / range, -speed_mps * nearest.y / range, 0.0};

@@ -38,6 +38,9 @@ class Guard {
   [[nodiscard]] Velocity retreat(double speed_mps) const;
 
  private:
+  /// The same, but for what is further than `most_m`: told as that.
+  [[nodiscard]] double distanceAfter(const Velocity& velocity, double time_s, double most_m) const;
+
   GuardSettings settings_;
   BodyBox body_;
   double near_m_;  // further points cannot matter

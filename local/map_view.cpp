@@ -31,27 +31,19 @@ MapView::MapView(const World& world, Range heights, const Plan& plan, const Tole
   const Extent extent = extentOf(plan);
   corner_ = {extent.x.min - round_m, extent.y.min - round_m};
   columns_ = static_cast<std::size_t>(std::ceil((extent.x.length() + 2.0 * round_m) / kCell_m));
-  rows_ = static_cast<std::size_t>(std::ceil((extent.y.length() + 2.0 * round_m) / kCell_m));
-  cells_.assign(columns_ * rows_, Cell::kEmpty);
+  const auto rows = static_cast<std::size_t>(std::ceil((extent.y.length() + 2.0 * round_m) / kCell_m));
+  width_ = static_cast<double>(columns_);
+  height_ = static_cast<double>(rows);
+  cells_.assign(columns_ * rows, Cell::kEmpty);
   const Layer seen =
       Layer::seenIn({world.floorZ() + heights.min, world.floorZ() + heights.max}, world.obstacles());
-  for (std::size_t row = 0; row < rows_; ++row)
+  for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns_; ++column) {
       const Point middle{corner_.x + (static_cast<double>(column) + 0.5) * kCell_m,
                          corner_.y + (static_cast<double>(row) + 0.5) * kCell_m};
       if (!seen.touches(middle, tolerance.far_m)) continue;
       cells_[row * columns_ + column] = seen.touches(middle, tolerance.near_m) ? Cell::kNear : Cell::kFar;
     }
-}
-
-bool MapView::isExpected(Point at, double range_m) const {
-  const double column = std::floor((at.x - corner_.x) / kCell_m);
-  const double row = std::floor((at.y - corner_.y) / kCell_m);
-  if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(columns_) &&
-        row < static_cast<double>(rows_)))
-    return true;
-  const Cell cell = cells_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-  return cell == Cell::kNear || (cell == Cell::kFar && range_m >= far_from_m_);
 }
 
 }  // namespace underway

@@ -29,7 +29,13 @@ class MapView {
 
   /// Whether something that was seen here, from so far away, is in the map. Outside what is told everything
   /// is.
-  [[nodiscard]] bool isExpected(Point at, double range_m) const;
+  [[nodiscard]] bool isExpected(Point at, double range_m) const {
+    const double column = (at.x - corner_.x) * (1.0 / kCell_m);
+    const double row = (at.y - corner_.y) * (1.0 / kCell_m);
+    if (!(column >= 0.0 && row >= 0.0 && column < width_ && row < height_)) return true;
+    const Cell cell = cells_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+    return cell == Cell::kNear || (cell == Cell::kFar && range_m >= far_from_m_);
+  }
 
  private:
   enum class Cell : std::uint8_t { kEmpty, kFar, kNear };  // what it is near enough to
@@ -37,7 +43,8 @@ class MapView {
   double far_from_m_ = 0.0;
   Point corner_;
   std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
+  double width_ = 0.0;  // in cells, as below
+  double height_ = 0.0;
   std::vector<Cell> cells_;
 };
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
+
+#include "local/surprises.hpp"
 
 namespace underway {
 namespace {
@@ -13,27 +14,10 @@ constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
 
-/// How large what was seen in a cell is taken, for the noise and for corners that were not seen: all cells
-/// together leave no gaps for a body. Where that leaves no plan less is tried, which the guard watches over
-/// all the same.
-constexpr std::array kSize_m{0.06, 0.04, 0.02};
-
-/// What was seen in a cell, as an obstacle as high as the robot.
-Obstacle obstacleAt(Point cell, double size_m, const World& world, const Robot& robot) {
-  const double height = robot.modes.front().body_m.z.max;
-  const auto at = [](double x) { return std::to_string(std::lround(std::floor(x / Window::kCell_m))); };
-  return {"seen_" + at(cell.x) + "_" + at(cell.y),
-          {{cell.x, cell.y, world.floorZ() + 0.5 * height}, {size_m, size_m, height}, {}}};
-}
-
-/// Whether the robot stands in a cell, by its own belief: then it cannot be there.
-bool standsIn(const BodyBox& body, const Pose& at, Point cell) {
-  const Pose back = before({0.0, 0.0, 0.0}, at);
-  const Point p = transform({back.x, back.y, -at.yaw}, cell);
-  constexpr double kHalf_m = 0.045;  // of the largest, along its diagonal
-  return p.x > body.x.min - kHalf_m && p.x < body.x.max + kHalf_m && p.y > body.y.min - kHalf_m &&
-         p.y < body.y.max + kHalf_m;
-}
+/// What was seen is first taken for more than points, for the noise, for corners and for what was not seen:
+/// all together they leave no gaps for a body. Where that leaves no plan less is tried, which the guard
+/// watches over all the same.
+constexpr std::array kCautions{Caution{0.06, true}, Caution{0.04, false}, Caution{0.02, false}};
 
 }  // namespace
 
@@ -57,7 +41,9 @@ Tick Mission::tick(const Senses& senses) {
       if (!senses.has_fallen) ask(senses);
       break;
     case State::kStalled:
-      outcome_ = Outcome::kNeedsHelp, why_ = "the crawl does not progress, or there is no room to get up";
+      outcome_ = Outcome::kNeedsHelp;
+      why_ = "the robot lies and cannot go on: " + std::string(executor_.whyStalled()) +
+             "; free it, then ask for a new plan";
       break;
     case State::kLost:
       if (lost_s_ == 0.0) lost_s_ = senses.now_s;
@@ -78,7 +64,7 @@ Tick Mission::tick(const Senses& senses) {
 void Mission::ask(const Senses& senses) {
   const bool is_first = plans_ == 0;
   if (senses.now_s < again_s_) return;
-  if (!is_first) world_ = worldWithSurprises(refusals_ == 0 ? world_ : map_);
+  if (!is_first) world_ = worldWithSurprises(refusals_ == 0 ? *world_ : *map_);
   auto plan = planFromHere();
   if (!plan) return refused(plan.error(), senses.now_s);
   ++plans_;
@@ -105,7 +91,12 @@ Expected<Plan> Mission::planFromHere() {
     request.start = executor_.pose();
     request.start_mode = executor_.mode();
   }
-  return source_(request, world_);
+  auto plan = source_(request, world_);
+  if (plan && !robot_->senses.head && crawlsBesideSurprises(*plan, world_, robot_))
+    return fail(ErrorCode::kNoPathExists,
+                "the plan found crawls close by something that is not in the map, which the robot cannot see "
+                "while it lies; take it away, or give the robot a lidar on its head");
+  return plan;
 }
 
 void Mission::refused(const Error& error, double now_s) {
@@ -118,15 +109,10 @@ void Mission::refused(const Error& error, double now_s) {
   if (++refusals_ >= kMostRefusals || plans_ == 0) outcome_ = Outcome::kNoWay;
 }
 
-std::shared_ptr<const World> Mission::worldWithSurprises(const std::shared_ptr<const World>& base) const {
-  World world = *base;
-  const BodyBox& body = robot_->modes[executor_.mode()].body_m;
-  const double size_m = kSize_m.at(std::min(static_cast<std::size_t>(refusals_), kSize_m.size() - 1));
-  for (const Point cell : executor_.surprises()) {
-    if (standsIn(body, executor_.pose(), cell)) continue;
-    if (auto with = world.added(obstacleAt(cell, size_m, world, *robot_))) world = std::move(*with);
-  }
-  return std::make_shared<const World>(std::move(world));
+std::shared_ptr<const World> Mission::worldWithSurprises(const World& base) const {
+  const Caution& caution = kCautions.at(std::min(static_cast<std::size_t>(refusals_), kCautions.size() - 1));
+  return std::make_shared<const World>(
+      withSurprises(base, executor_.surprises(), caution, *robot_, executor_.mode(), executor_.pose()));
 }
 
 }  // namespace underway

@@ -38,8 +38,7 @@ class Mission {
  private:
   void ask(const Senses& senses);
   [[nodiscard]] Expected<Plan> planFromHere();
-  [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(
-      const std::shared_ptr<const World>& base) const;
+  [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
   void countInPlace();
   void refused(const Error& error, double now_s);
 

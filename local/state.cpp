@@ -13,9 +13,8 @@ State stateFor(Next next) {
     case Next::kDown:
       return State::kAligning;
     case Next::kCrawl:
+    case Next::kUp:  // it gets up from there, once there is room
       return State::kCrawling;
-    case Next::kUp:
-      return State::kCrawling;  // it gets up from there, once there is room
     case Next::kNothing:
       break;
   }

@@ -1,17 +1,22 @@
 #include "local/surroundings.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "geometry/sweep.hpp"
 #include "local/lane.hpp"
+#include "local/seen_from.hpp"
 
 namespace underway {
 namespace {
 
 constexpr std::size_t kMostPoints = 2048;
 constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
-constexpr double kGuarded_m = 1.0;   // what is further away cannot be run into in a tick
+/// From where something was seen before: a body's corner may point between the means of two cells, and the
+/// belief is off by some millimetres.
+constexpr double kRemembered_m = 0.03;
+constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
   Tolerance tolerance;
@@ -25,12 +30,29 @@ std::size_t outliersOf(const SurroundingsSettings& settings) {
   return static_cast<std::size_t>(std::lround(6.0 * of_margin * of_margin));
 }
 
+bool isAlongX(Sense sense) { return sense == Sense::kForward || sense == Sense::kBackward; }
+
+/// The shifts of a lane that are tried, one after the other: none, 5 cm to the left, to the right, 10 cm.
+struct Shifts {
+  static constexpr double kStep_m = 0.05;
+  static constexpr std::size_t kMost = 41;
+  [[nodiscard]] static std::size_t countTo(double most_m) {
+    return most_m < kStep_m ? 1 : std::min(1 + 2 * static_cast<std::size_t>(most_m / kStep_m), kMost);
+  }
+  [[nodiscard]] static double shift(std::size_t i) {
+    const std::size_t steps = (i + 1) / 2;
+    const double size = kStep_m * static_cast<double>(steps);
+    return i % 2 == 1 ? size : -size;
+  }
+};
+
 }  // namespace
 
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
       against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
+      against_remembered_({kRemembered_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
@@ -50,6 +72,7 @@ void Surroundings::expect(const World& map, const Plan& plan) {
 
 void Surroundings::see(const Senses& senses, const Pose& from) {
   against_unmapped_.clear();
+  against_remembered_.clear();
   against_all_.clear();
   window_.slideTo(from.position());
   ++turn_;
@@ -63,46 +86,65 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
 /// What was seen before: no beam may look there now.
 void Surroundings::addWhatWasSeen(const Pose& from) {
   constexpr double kReach_m = 0.5;
-  const Pose back = before({0.0, 0.0, 0.0}, from);
-  window_.visitOccupied(from.position(), kReach_m, [&](Point cell, bool) {
-    against_unmapped_.add(transform({back.x, back.y, -from.yaw}, cell));
-  });
+  const SeenFrom seen(from);
+  window_.visitOccupied(from.position(), kReach_m,
+                        [&](Point cell, bool) { against_remembered_.add(seen(cell)); });
 }
 
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
   // A plane that passes below a table top must not take back what a depth camera saw of it.
-  const bool takes_back = !robot_->senses.depth || &map == &depth_map_;
-  constexpr std::size_t kShare = 16;  // of the beams, looked at for what is free, each tick others
-  const double c = std::cos(from.yaw);
-  const double s = std::sin(from.yaw);
+  if (!robot_->senses.depth || &map == &depth_map_) takeBack(scan, from);
+  const SeenFrom seen(from);
   forEachBeam(scan.beams, from.yaw, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[i];
-    const double reach = std::min(range, settings_.believed_m);
-    const Point end{from.x + reach * direction.x, from.y + reach * direction.y};
-    if (takes_back && i % kShare == turn_ % kShare) window_.pass(from.position(), end);
-    if (range >= settings_.believed_m || map.isExpected(end, range)) return;
+    if (!(range < settings_.believed_m)) return;
+    const Point end{from.x + range * direction.x, from.y + range * direction.y};
+    if (map.isExpected(end, range)) return;
     window_.hit(end);
-    const Point ahead{c * direction.x + s * direction.y, c * direction.y - s * direction.x};
-    if (range < kGuarded_m) against_unmapped_.add({range * ahead.x, range * ahead.y});
+    if (range < kGuarded_m) against_unmapped_.add(seen(end));
   });
 }
 
-bool Surroundings::isLaneBlocked(const Motion& translation, double along_m, double shift_m) const {
+/// Nothing stands where beams pass. Each tick some of them are looked at for that, and others the next.
+void Surroundings::takeBack(const Scan& scan, const Pose& from) {
+  constexpr std::size_t kShare = 16;
+  const std::size_t first = turn_ % kShare;
+  forEachBeam(scan.beams.every(kShare, first), from.yaw, [&](std::size_t i, Point direction) {
+    const double range = scan.ranges_m[first + kShare * i];
+    const double reach = std::min(range, settings_.believed_m);
+    window_.pass(from.position(), {from.x + reach * direction.x, from.y + reach * direction.y});
+  });
+}
+
+/// Calls `visit(left_m)` for each cell that no plan knew of beside the next stretch of a translation: how far
+/// to the left of its line. What is further off than `reach_m` may be left out.
+template <class Visit>
+void Surroundings::visitBeside(const Motion& translation, double along_m, double reach_m,
+                               const Visit& visit) const {
   const BodyBox& body = robot_->modes[translation.mode].body_m;
-  const bool along_x = translation.sense == Sense::kForward || translation.sense == Sense::kBackward;
-  const Range across = (along_x ? body.y : body.x).grown(settings_.lane_margin_m);
-  const Range along = along_x ? body.x : body.y;
-  const double half = std::max(-across.min, across.max);
-  const double reach = std::max(-along.min, along.max) + settings_.lane_margin_m;
-  const double last = std::min(along_m + settings_.ahead_m, length(translation)) + reach;
+  const Range along = isAlongX(translation.sense) ? body.x : body.y;
+  const double ahead = std::max(-along.min, along.max) + settings_.lane_margin_m;
+  const double last = std::min(along_m + settings_.ahead_m, length(translation)) + ahead;
   const Point middle = pointAlong(translation, 0.5 * (along_m + last));
+  const SeenFrom seen(
+      {translation.from.x, translation.from.y, translation.from.yaw + angleOf(translation.sense)});
+  window_.visitOccupied(middle, 0.5 * (last - along_m) + reach_m, [&](Point cell, bool is_known) {
+    if (is_known) return;
+    const Point at = seen(cell);
+    if (at.x > along_m && at.x < last) visit(at.y);
+  });
+}
+
+double Surroundings::halfLane(const Motion& translation) const {
+  const BodyBox& body = robot_->modes[translation.mode].body_m;
+  const Range across = isAlongX(translation.sense) ? body.y : body.x;
+  return std::max(-across.min, across.max) + settings_.lane_margin_m;
+}
+
+bool Surroundings::isLaneBlocked(const Motion& translation, double along_m) const {
+  const double half = halfLane(translation);
   bool is_blocked = false;
-  window_.visitOccupied(
-      middle, 0.5 * (last - along_m) + 2.0 * half + std::abs(shift_m), [&](Point cell, bool is_known) {
-        if (is_known) return;
-        const OnLane at = onLane(translation, {cell.x, cell.y, 0.0});
-        is_blocked |= std::abs(at.left_m - shift_m) < half && at.along_m > along_m && at.along_m < last;
-      });
+  visitBeside(translation, along_m, half, [&](double left_m) { is_blocked |= std::abs(left_m) < half; });
   return is_blocked;
 }
 
@@ -116,13 +158,13 @@ bool Surroundings::isTurnBlocked(const Pose& at) const {
 }
 
 bool Surroundings::isBoxBlocked(const BodyBox& box, const Pose& at) const {
-  const Pose back = before({0.0, 0.0, 0.0}, at);
+  const SeenFrom seen(at);
   const Range x = box.x.grown(settings_.lane_margin_m);
   const Range y = box.y.grown(settings_.lane_margin_m);
   bool is_blocked = false;
   window_.visitOccupied(at.position(), reachOf(box) + Window::kCell_m, [&](Point cell, bool is_known) {
     if (is_known) return;
-    const Point local = transform({back.x, back.y, -at.yaw}, cell);
+    const Point local = seen(cell);
     is_blocked |= local.x > x.min && local.x < x.max && local.y > y.min && local.y < y.max;
   });
   return is_blocked;
@@ -130,16 +172,20 @@ bool Surroundings::isBoxBlocked(const BodyBox& box, const Pose& at) const {
 
 std::optional<double> Surroundings::shiftAround(const Motion& translation, double along_m,
                                                 double most_m) const {
-  constexpr double kStep_m = 0.05;
-  if (!isLaneBlocked(translation, along_m)) return 0.0;
-  for (double shift = kStep_m; shift <= most_m; shift += kStep_m)
-    for (const double side : {shift, -shift})
-      if (!isLaneBlocked(translation, along_m, side)) return side;
+  const double half = halfLane(translation);
+  const std::size_t count = Shifts::countTo(most_m);
+  std::bitset<Shifts::kMost> blocked;
+  visitBeside(translation, along_m, half + std::max(most_m, 0.0), [&](double left_m) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (std::abs(left_m - Shifts::shift(i)) < half) blocked.set(i);
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    if (!blocked[i]) return Shifts::shift(i);
   return std::nullopt;
 }
 
 Velocity Surroundings::guarded(const Velocity& wanted) const {
-  return against_all_.allowed(against_unmapped_.allowed(wanted));
+  return against_all_.allowed(against_remembered_.allowed(against_unmapped_.allowed(wanted)));
 }
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {

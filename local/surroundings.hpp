@@ -33,9 +33,8 @@ class Surroundings {
   /// What the senses tell, seen from a believed pose.
   void see(const Senses& senses, const Pose& from);
 
-  /// Whether something unmapped stands in the lane of a translation, from so far along it, shifted to the
-  /// left.
-  [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m, double shift_m = 0.0) const;
+  /// Whether something unmapped stands in the lane of a translation, from so far along it.
+  [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m) const;
   /// Whether something unmapped stands where the body turns about a point.
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
   /// Whether something unmapped stands in a box round a pose: a switch's.
@@ -53,6 +52,11 @@ class Surroundings {
  private:
   void addWhatWasSeen(const Pose& from);
   void look(const Scan& scan, const MapView& map, const Pose& from);
+  void takeBack(const Scan& scan, const Pose& from);
+  template <class Visit>
+  void visitBeside(const Motion& translation, double along_m, double reach_m, const Visit& visit) const;
+  /// To either side of a translation's line.
+  [[nodiscard]] double halfLane(const Motion& translation) const;
 
   SurroundingsSettings settings_;
   std::shared_ptr<const Robot> robot_;
@@ -61,6 +65,7 @@ class Surroundings {
   MapView depth_map_;
   Window window_;
   Guard against_unmapped_;
+  Guard against_remembered_;
   Guard against_all_;
   std::size_t turn_ = 0;  // which of the beams are looked at for what is free
 };

@@ -5,14 +5,20 @@
 namespace underway {
 namespace {
 
-constexpr auto kWide = static_cast<std::int64_t>(Window::kCells);
 constexpr float kLeastGain = 0.05F;  // of a hit on a cell's mean
 
 }  // namespace
 
-Window::Place Window::placeOf(Point at) {
-  return {static_cast<std::int64_t>(std::floor(at.x / kCell_m)),
-          static_cast<std::int64_t>(std::floor(at.y / kCell_m))};
+Window::Window() : hits_(kCells * kCells), is_known_(kCells * kCells), means_(kCells * kCells) {}
+
+void Window::clear() {
+  std::fill(hits_.begin(), hits_.end(), std::uint8_t{0});
+  std::fill(is_known_.begin(), is_known_.end(), std::uint8_t{0});
+}
+
+void Window::forget(std::size_t index) {
+  hits_[index] = 0;
+  is_known_[index] = 0;
 }
 
 void Window::slideTo(Point at) {
@@ -24,52 +30,63 @@ void Window::slideTo(Point at) {
     return;
   }
   // Columns and rows that slide in take the places of those that slide out.
-  while (corner_.x < corner.x) forgetColumn(corner_.x++);
-  while (corner_.x > corner.x) forgetColumn(--corner_.x);
-  while (corner_.y < corner.y) forgetRow(corner_.y++);
-  while (corner_.y > corner.y) forgetRow(--corner_.y);
-}
-
-void Window::forgetColumn(std::int64_t x) {
-  for (std::size_t row = 0; row < kCells; ++row) cells_[row * kCells + wrapped(x)] = {};
-}
-
-void Window::forgetRow(std::int64_t y) {
-  std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(wrapped(y) * kCells), kCells, Cell{});
+  const auto forget_column = [this](std::int64_t x) {
+    for (std::size_t row = 0; row < kCells; ++row) forget(row * kCells + wrapped(x));
+  };
+  const auto forget_row = [this](std::int64_t y) {
+    for (std::size_t column = 0; column < kCells; ++column) forget(wrapped(y) * kCells + column);
+  };
+  while (corner_.x < corner.x) forget_column(corner_.x++);
+  while (corner_.x > corner.x) forget_column(--corner_.x);
+  while (corner_.y < corner.y) forget_row(corner_.y++);
+  while (corner_.y > corner.y) forget_row(--corner_.y);
 }
 
 void Window::hit(Point at) {
   const Place place = placeOf(at);
   if (!isInside(place)) return;
-  Cell& cell = cells_[indexOf(place)];
-  if (cell.hits < kMost) ++cell.hits;
+  std::uint8_t& hits = hits_[indexOf(place)];
+  Mean& mean = means_[indexOf(place)];
+  if (hits < kMost) ++hits;
   const Point corner{static_cast<double>(place.x) * kCell_m, static_cast<double>(place.y) * kCell_m};
-  const float gain = cell.hits < kMost ? 1.0F / static_cast<float>(cell.hits) : kLeastGain;
-  cell.x_m += gain * (static_cast<float>(at.x - corner.x) - cell.x_m);
-  cell.y_m += gain * (static_cast<float>(at.y - corner.y) - cell.y_m);
+  const float gain = hits < kMost ? 1.0F / static_cast<float>(hits) : kLeastGain;
+  mean.x_m += gain * (static_cast<float>(at.x - corner.x) - mean.x_m);
+  mean.y_m += gain * (static_cast<float>(at.y - corner.y) - mean.y_m);
 }
 
 bool Window::isOccupied(Point at) const {
   const Place place = placeOf(at);
-  return isInside(place) && cells_[indexOf(place)].hits >= kSure;
+  return isInside(place) && hits_[indexOf(place)] >= kSure;
 }
 
 void Window::markKnown() {
-  for (Cell& cell : cells_) cell.is_known = cell.hits >= kSure;
+  for (std::size_t i = 0; i < hits_.size(); ++i) is_known_[i] = hits_[i] >= kSure ? 1 : 0;
+}
+
+double Window::toEdge(Point from) const {
+  constexpr double kHalf_m = 0.5 * static_cast<double>(kCells) * kCell_m;
+  const double off_x = from.x - (static_cast<double>(corner_.x) * kCell_m + kHalf_m);
+  const double off_y = from.y - (static_cast<double>(corner_.y) * kCell_m + kHalf_m);
+  return kHalf_m - std::max(std::abs(off_x), std::abs(off_y));
 }
 
 void Window::pass(Point from, Point to) {
   constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
   const double range = distance(from, to);
-  if (!(range > kShort_m)) return;
-  const Point step{kCell_m * (to.x - from.x) / range, kCell_m * (to.y - from.y) / range};
-  const auto steps = static_cast<int>((range - kShort_m) / kCell_m);
-  Point at = from;
-  for (int k = 0; k <= steps; ++k, at.x += step.x, at.y += step.y) {
-    const Place place = placeOf(at);
-    if (!isInside(place)) return;
-    Cell& cell = cells_[indexOf(place)];
-    if (cell.hits > 0) --cell.hits;
+  const double way = std::min(range, toEdge(from)) - kShort_m;
+  if (!(way > 0.0)) return;
+  // Steps of a cell, in whole numbers of 2^-32 cells: no rounding down at each.
+  constexpr int kFraction = 32;
+  constexpr double kUnits = 4294967296.0 / kCell_m;
+  const double share = kCell_m / range;
+  const auto step_x = static_cast<std::int64_t>(kUnits * share * (to.x - from.x));
+  const auto step_y = static_cast<std::int64_t>(kUnits * share * (to.y - from.y));
+  auto x = static_cast<std::int64_t>(kUnits * from.x);
+  auto y = static_cast<std::int64_t>(kUnits * from.y);
+  const auto steps = static_cast<int>(way / kCell_m);
+  for (int k = 0; k <= steps; ++k, x += step_x, y += step_y) {
+    std::uint8_t& hits = hits_[indexOf({x >> kFraction, y >> kFraction})];
+    if (hits > 0) --hits;
   }
 }
 

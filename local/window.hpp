@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -21,19 +23,20 @@ class Window {
   static constexpr std::uint8_t kSure = 3;  ///< seen so often, something stands there
   static constexpr std::uint8_t kMost = 6;  ///< more is not counted
 
-  Window() : cells_(kCells * kCells) {}
+  Window();
 
   /// Moves along with the robot: it is in the middle, but for a cell.
   void slideTo(Point at);
   /// Something was seen at a point; outside the window it is passed over.
   void hit(Point at);
-  /// Nothing stands between two points, but near the second: the cells between them are seen less.
+  /// Nothing stands between two points, but near the second: the cells between them are seen less, as far as
+  /// the window's nearest edge.
   void pass(Point from, Point to);
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
   void markKnown();
-  void clear() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
+  void clear();
 
   /// Calls `visit(at, is_known)` for each occupied cell within a distance of a point along both axes, with
   /// the mean of what was seen in it.
@@ -41,19 +44,22 @@ class Window {
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
 
  private:
+  static constexpr auto kWide = static_cast<std::int64_t>(kCells);
+  static constexpr std::int64_t kWord = 8;  // cells that are looked at together
   struct Place {
     std::int64_t x;
     std::int64_t y;
   };
-  struct Cell {
-    std::uint8_t hits = 0;
-    bool is_known = false;
-    float x_m = 0.0F;  // mean of what was seen in it, from its corner: surer than the cell
+  /// Of what was seen in a cell, from its corner: surer than the cell.
+  struct Mean {
+    float x_m = 0.0F;
     float y_m = 0.0F;
   };
-  [[nodiscard]] static Place placeOf(Point at);
+  [[nodiscard]] static Place placeOf(Point at) {
+    return {static_cast<std::int64_t>(std::floor(at.x * (1.0 / kCell_m))),
+            static_cast<std::int64_t>(std::floor(at.y * (1.0 / kCell_m)))};
+  }
   [[nodiscard]] bool isInside(Place place) const {
-    constexpr auto kWide = static_cast<std::int64_t>(kCells);
     return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
            place.y < corner_.y + kWide;
   }
@@ -64,22 +70,41 @@ class Window {
   [[nodiscard]] static std::size_t indexOf(Place place) {
     return wrapped(place.y) * kCells + wrapped(place.x);
   }
-  void forgetColumn(std::int64_t x);
-  void forgetRow(std::int64_t y);
+  /// Whether anything was seen in eight cells, of which the first is at a multiple of eight.
+  [[nodiscard]] bool isAnySeen(Place first) const {
+    std::uint64_t hits = 0;
+    std::memcpy(&hits, &hits_[indexOf(first)], sizeof hits);
+    return hits != 0;
+  }
+  void forget(std::size_t index);
+  /// From a point inside to the nearest edge; negative outside [m].
+  [[nodiscard]] double toEdge(Point from) const;
 
-  std::vector<Cell> cells_;  // a torus: a cell's index is its place modulo kCells
-  Place corner_{-static_cast<std::int64_t>(kCells) / 2, -static_cast<std::int64_t>(kCells) / 2};
+  // A torus: a cell's index is its place modulo kCells. Bytes, because most cells are asked no more than
+  // whether anything was seen in them.
+  std::vector<std::uint8_t> hits_;
+  std::vector<std::uint8_t> is_known_;
+  std::vector<Mean> means_;  // of those with hits
+  Place corner_{-kWide / 2, -kWide / 2};
 };
 
 template <class Visit>
 void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
-  const Place low = placeOf({round.x - reach_m, round.y - reach_m});
-  const Place high = placeOf({round.x + reach_m, round.y + reach_m});
+  Place low = placeOf({round.x - reach_m, round.y - reach_m});
+  Place high = placeOf({round.x + reach_m, round.y + reach_m});
+  low = {std::max(low.x, corner_.x), std::max(low.y, corner_.y)};
+  high = {std::min(high.x, corner_.x + kWide - 1), std::min(high.y, corner_.y + kWide - 1)};
   for (std::int64_t y = low.y; y <= high.y; ++y)
-    for (std::int64_t x = low.x; x <= high.x; ++x)
-      if (const Cell cell = isInside({x, y}) ? cells_[indexOf({x, y})] : Cell{}; cell.hits >= kSure)
-        visit(Point{static_cast<double>(x) * kCell_m + cell.x_m, static_cast<double>(y) * kCell_m + cell.y_m},
-              cell.is_known);
+    for (std::int64_t word = low.x & -kWord; word <= high.x; word += kWord) {
+      if (!isAnySeen({word, y})) continue;
+      for (std::int64_t x = std::max(word, low.x); x <= std::min(word + kWord - 1, high.x); ++x) {
+        const std::size_t i = indexOf({x, y});
+        if (hits_[i] < kSure) continue;
+        visit(Point{static_cast<double>(x) * kCell_m + means_[i].x_m,
+                    static_cast<double>(y) * kCell_m + means_[i].y_m},
+              is_known_[i] != 0);
+      }
+    }
 }
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that

@@ -15,6 +15,7 @@ SimulatedRobot::SimulatedRobot(std::shared_ptr<const World> truth, std::shared_p
     : world_(std::move(truth)),
       robot_(std::move(robot)),
       checker_(world_, robot_),
+      second_judge_(world_, robot_),
       sensors_(*world_, robot_, flaws, start),
       limits_(standingLimits(*robot_)),
       flaws_(flaws),
@@ -120,10 +121,14 @@ void SimulatedRobot::move(double x_m, double y_m, double turn_rad) {
 }
 
 void SimulatedRobot::check(const Motion& motion) {
-  if (truth_.has_collided || checker_.isFree(motion, 0.0)) return;
+  if (truth_.has_collided) return;
+  const bool is_free = checker_.isFree(motion, 0.0);
+  const bool is_second_free = !second_judge_.touches(motion);
+  if (is_free != is_second_free) truth_.is_disputed |= second_judge_.disputes(motion, is_free);
+  if (is_free && is_second_free) return;
   truth_.has_collided = true;
   const auto touched = checker_.blockers(motion, 0.0, 1);
-  truth_.with = touched.empty() ? "the bounds" : touched.front();
+  truth_.with = !touched.empty() ? touched.front() : is_free ? "what one judge alone saw" : "the bounds";
 }
 
 }  // namespace underway::sim

@@ -8,6 +8,7 @@
 #include "geometry/checker.hpp"
 #include "local/command.hpp"
 #include "local/senses.hpp"
+#include "sim/second_judge.hpp"
 #include "sim/sensors.hpp"
 
 namespace underway::sim {
@@ -16,15 +17,16 @@ namespace underway::sim {
 struct Truth {
   Pose pose;
   ModeId mode = 0;
-  bool has_collided = false;
-  std::string with;      ///< the first obstacle it touched
-  double moved_m = 0.0;  ///< length of the way so far
+  bool has_collided = false;  ///< by the word of either judge
+  std::string with;           ///< the first obstacle it touched
+  bool is_disputed = false;   ///< the judges disagree on a motion by more than touching
+  double moved_m = 0.0;       ///< length of the way so far
 };
 
 /// A robot that walks, sidesteps, turns and crawls in a world, within its gaits' speed limits. Every tick's
 /// motion is made of a turn and two translations, and each of them, and every switch's box, is checked
-/// exactly against the true world (geometry/checker.hpp); nobody who drives it sees that. The same seed and
-/// commands give the same run.
+/// against the true world twice: exactly (geometry/checker.hpp), and by a second judge that shares nothing
+/// with that. Nobody who drives it sees them. The same seed and commands give the same run.
 class SimulatedRobot {
  public:
   static constexpr double kTick_s = Sensors::kTick_s;
@@ -59,6 +61,7 @@ class SimulatedRobot {
   std::shared_ptr<const World> world_;
   std::shared_ptr<const Robot> robot_;
   Checker checker_;
+  SecondJudge second_judge_;
   Sensors sensors_;
   SpeedLimits limits_;
   Flaws flaws_;

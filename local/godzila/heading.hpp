@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "geometry/pose.hpp"
+#include "local/godzila/beam_pull.hpp"
 #include "local/godzila/settings.hpp"
 #include "local/scan.hpp"
 
@@ -17,7 +16,8 @@ struct Bearing {
 [[nodiscard]] Bearing bearingOf(Point goal, const Pose& from);
 
 /// The functions of range that the thesis leaves to the designer. Near the clearance threshold costs rise
-/// steeply: r' = r - clr exp(-r), kept above 0.02 m.
+/// steeply: r' = r - clr exp(-r), kept above 0.02 m: a beam inside the threshold weighs much, not infinitely.
+inline constexpr double kLeastShortened_m = 0.02;
 [[nodiscard]] double shortened(double range_m, double clearance_threshold_m);
 
 /// GODZILA's optimisation (Brooks 2017, (3.6)-(3.17)) by its closed form.
@@ -50,7 +50,7 @@ class HeadingOptimum {
  private:
   GodzilaSettings settings_;
   Beams beams_;
-  std::vector<Point> directions_;  // of the beams
+  BeamPull pull_;
 };
 
 }  // namespace underway

@@ -43,6 +43,7 @@ class Executing3 : public ::testing::Test {
 TEST_F(Executing3, ArrivesWithin5CmAnd5DegreesAndTouchesNothing) {
   EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
   EXPECT_FALSE(body_.truth().has_collided) << body_.truth().with;
+  EXPECT_FALSE(body_.truth().is_disputed);
   EXPECT_LT(distance(body_.truth().pose.position(), kGoal.position()), 0.05);
   EXPECT_LT(std::abs(normalizedAngle(body_.truth().pose.yaw - kGoal.yaw)), 0.087);
 }
@@ -83,6 +84,7 @@ TEST_F(Executing3, StandsStillWhileItIsLostAndGoesOnAfterwards) {
   body_.loseItself(false);
   EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
   EXPECT_FALSE(body_.truth().has_collided);
+  EXPECT_FALSE(body_.truth().is_disputed);
 }
 
 TEST_F(Executing3, SendsNothingAfterAFall) {
@@ -106,6 +108,7 @@ TEST_F(Executing3, CountsCyclesByTheirProgressAndNotByTime) {
   body_.stall(false);
   EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
   EXPECT_FALSE(body_.truth().has_collided);
+  EXPECT_FALSE(body_.truth().is_disputed);
 }
 
 TEST_F(Executing3, StandsStillWithoutAPlan) {

@@ -22,6 +22,7 @@ TEST(Godzila, PassesTheThesisArenasByItself) {
       const auto run = drivePurely(arena(name), test::nao(), {}, seed, 1200.0);
       EXPECT_TRUE(run.has_arrived) << name << ", seed " << seed;
       EXPECT_FALSE(run.has_collided) << name << ", seed " << seed;
+      EXPECT_FALSE(run.is_disputed) << name << ", seed " << seed;
     }
 }
 
@@ -33,6 +34,7 @@ TEST(Godzila, GetsOutOfTrapsAndCollidesNowhere) {
       const auto run = drivePurely(room, test::nao(), keeping, seed, 3600.0);
       EXPECT_TRUE(run.has_arrived) << "seed " << seed;
       EXPECT_FALSE(run.has_collided) << "seed " << seed;
+      EXPECT_FALSE(run.is_disputed) << "seed " << seed;
     }
 }
 

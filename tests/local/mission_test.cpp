@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "bench/local_courses.hpp"
+#include "sim/robot.hpp"
 #include "tests/planner/fixture.hpp"
 
 namespace underway {
@@ -45,6 +45,7 @@ TEST(Mission, GoesRoundWhatIsNotInTheMap) {
   sim::SimulatedRobot body(roomWith({kBox}), test::nao(), kStart, 0, 1);
   EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived) << dut.why();
   EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_FALSE(body.truth().is_disputed);
   EXPECT_LT(distance(body.truth().pose.position(), kGoal.position()), 0.05);
 }
 
@@ -55,6 +56,7 @@ TEST(Mission, ReportsThatThereIsNoWayRound) {
   sim::SimulatedRobot body(roomWith({kWall}), test::nao(), kStart, 0, 1);
   EXPECT_EQ(drive(dut, body, 900.0), Outcome::kNoWay);
   EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_FALSE(body.truth().is_disputed);
   EXPECT_FALSE(dut.why().empty());
   EXPECT_GT(dut.world()->obstacles().size(), 0U);  // what was seen is in the world
 }

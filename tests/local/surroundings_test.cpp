@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "local/lane.hpp"
 #include "sim/robot.hpp"
 #include "tests/planner/fixture.hpp"
 
@@ -43,7 +44,7 @@ TEST_F(Looking, FindsTheLaneBlockedByWhatIsNotInTheMap) {
   look({kBox});
   EXPECT_FALSE(dut_.surprisesNear({1.5, 0.6}, 0.3).empty());
   EXPECT_TRUE(dut_.isLaneBlocked(ahead_, 0.0));
-  EXPECT_FALSE(dut_.isLaneBlocked(ahead_, 0.0, 0.6));
+  EXPECT_FALSE(dut_.isLaneBlocked(shifted(ahead_, 0.6), 0.0));
 }
 
 TEST_F(Looking, FindsAWayRoundWhereThereIsRoom) {

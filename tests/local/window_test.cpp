@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <set>
 
 namespace underway {
 namespace {
@@ -90,6 +92,34 @@ TEST(Window, TellsWhereInACellSomethingWasSeen) {
     EXPECT_NEAR(at.x, 1.0014, 1e-4);
     EXPECT_NEAR(at.y, 0.549, 1e-4);
   });
+}
+
+TEST(Window, TellsOfEachOccupiedCellOnceWhereverItHasSlid) {
+  constexpr unsigned kSeed = 5;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> off(-3.0, 3.0);
+  Window dut;
+  Point at{0.0, 0.0};
+  for (int round = 0; round < 40; ++round) {
+    at = {at.x + 0.3 * off(random), at.y + 0.3 * off(random)};
+    dut.slideTo(at);
+    for (int i = 0; i < 20; ++i) hitOften(dut, {at.x + off(random), at.y + off(random)});
+    const Point round_what{at.x + off(random), at.y + off(random)};
+    const double reach = std::abs(off(random));
+    std::set<std::pair<long, long>> told;
+    dut.visitOccupied(round_what, reach, [&](Point p, bool) {
+      const auto cell = [](double x) { return std::lround(std::floor(x / Window::kCell_m + 1e-6)); };
+      ASSERT_TRUE(told.insert({cell(p.x), cell(p.y)}).second) << "seed " << kSeed << " round " << round;
+    });
+    // Every cell whose middle is well within reach, asked one by one.
+    for (double y = -reach; y < reach; y += Window::kCell_m)
+      for (double x = -reach; x < reach; x += Window::kCell_m) {
+        const auto cell = [](double p) { return std::lround(std::floor(p / Window::kCell_m)); };
+        const Point p{round_what.x + x, round_what.y + y};
+        ASSERT_EQ(told.contains({cell(p.x), cell(p.y)}), dut.isOccupied(p))
+            << "seed " << kSeed << " round " << round;
+      }
+  }
 }
 
 Scan openScan() {

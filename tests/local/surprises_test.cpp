@@ -1,0 +1,58 @@
+#include "local/surprises.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/planner/fixture.hpp"
+
+namespace underway {
+namespace {
+
+const Pose kStart{0.6, 2.0, 0.0};
+
+TEST(Surprises, BecomeObstaclesAsHighAsTheRobotWhereTheyWereSeen) {
+  const auto map = test::ourWorld("scenario3");
+  const World world = withSurprises(*map, std::array{Point{1.2, 2.2}, Point{1.26, 2.2}}, Caution{0.06, false},
+                                    *test::nao(), 0, kStart);
+  EXPECT_EQ(world.obstacles().size(), map->obstacles().size() + 2);
+  const Checker checker(std::make_shared<const World>(world), test::nao());
+  EXPECT_TRUE(checker.isFree(stay(0, {0.6, 2.0, 0.0})));
+  EXPECT_FALSE(checker.isFree(stay(0, {1.2, 2.2, 0.0})));
+  EXPECT_FALSE(checker.isFree(stay(2, {1.2, 2.2, 0.0})));
+}
+
+TEST(Surprises, AreNotWhereTheRobotStands) {
+  const auto map = test::ourWorld("scenario3");
+  const World world =
+      withSurprises(*map, std::array{Point{0.65, 2.1}}, Caution{0.06, false}, *test::nao(), 0, kStart);
+  EXPECT_EQ(world.obstacles().size(), map->obstacles().size());
+}
+
+TEST(Surprises, MayGoOnWhereARowOfThemEnds) {
+  const auto map = test::ourWorld("scenario3");
+  const std::array row{Point{1.2, 2.5}, Point{1.25, 2.5}, Point{1.3, 2.5}, Point{1.35, 2.5}};
+  const auto with = [&](bool extends_ends) {
+    return withSurprises(*map, row, Caution{0.06, extends_ends}, *test::nao(), 0, kStart).obstacles().size();
+  };
+  EXPECT_EQ(with(false), map->obstacles().size() + 4);
+  EXPECT_EQ(with(true), map->obstacles().size() + 8);  // two beyond each end
+}
+
+/// Scenario 3's plan, which lies down at 3.02 m and gets up at 4.62 m, with something seen at a point.
+bool crawlsBeside(Point seen) {
+  const auto map = test::ourWorld("scenario3");
+  const Plan plan = *Planner(map, test::nao()).plan(test::requestFor(kStart, {5.4, 2.0, 0.0}), test::soon());
+  const auto world = std::make_shared<const World>(
+      withSurprises(*map, std::array{seen}, Caution{0.06, false}, *test::nao(), 0, kStart));
+  return crawlsBesideSurprises(plan, world, test::nao());
+}
+
+TEST(Surprises, AreToldBesideACrawlAndNotFarFromItOrBesideAWalk) {
+  EXPECT_TRUE(crawlsBeside({4.5, 2.3}));
+  EXPECT_FALSE(crawlsBeside({4.5, 2.6}));
+  EXPECT_FALSE(crawlsBeside({1.5, 2.3}));
+}
+
+}  // namespace
+}  // namespace underway
