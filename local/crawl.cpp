@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace underway {
+namespace {
+
+constexpr double kKept = 0.75;  // of the clearance, where it goes down turned
+
+}  // namespace
 
 CrawlSettings papersTrigger() {
   CrawlSettings settings;
@@ -26,10 +31,19 @@ Passage passageFrom(const Plan& plan, const Robot& robot, std::size_t down) {
   return passage;
 }
 
-Pose entryOf(const Passage& passage, const Plan& plan, double drift_rad_per_m) {
-  Pose entry = plan.segments[passage.down].motion.from;
-  entry.yaw = normalizedAngle(entry.yaw - 0.5 * drift_rad_per_m * passage.length_m);
-  return entry;
+Pose entryOf(const Passage& passage, const Plan& plan, double drift_rad_per_m, const Checker& checker) {
+  const Motion& planned = plan.segments[passage.down].motion;
+  const Switch& down = *checker.robot().findSwitch(planned.mode, planned.to_mode);
+  const double turned = -0.5 * drift_rad_per_m * passage.length_m;
+  const double keep_m = kKept * std::min(passage.slack_m, checker.robot().margin_m);
+  for (const double share : {1.0, 0.5, 0.25})
+    for (const double back_m : {0.0, 0.01, 0.02, 0.03}) {
+      const Pose entry = compose(planned.from, {-back_m, 0.0, share * turned});
+      if (checker.isFree(switchModes(down, entry), keep_m) &&
+          checker.isFree(stay(planned.mode, entry), keep_m))
+        return entry;
+    }
+  return planned.from;
 }
 
 bool hasRoomUp(const Checker& checker, const Switch& up, const Pose& at, double unsure_m) {

@@ -41,8 +41,10 @@ struct Passage {
 [[nodiscard]] Passage passageFrom(const Plan& plan, const Robot& robot, std::size_t down);
 
 /// The pose to go down at: the planned one, turned against half of the drift that the crawl will make, so
-/// that it comes out where it was planned.
-[[nodiscard]] Pose entryOf(const Passage& passage, const Plan& plan, double drift_rad_per_m);
+/// that it comes out where it was planned. As the turned body reaches further ahead, it is a little further
+/// back where the way down is tight, or turned less.
+[[nodiscard]] Pose entryOf(const Passage& passage, const Plan& plan, double drift_rad_per_m,
+                           const Checker& checker);
 
 /// Whether the standing body is free where the crawling robot may be: `at`, further back and further on by
 /// `unsure_m`, as the map says.

@@ -26,16 +26,19 @@ bool Executor::isPassageBlocked() const {
 }
 
 Pose Executor::entry() const {
-  return entryOf(passage_, plan_, settings_.crawl.keeps_heading ? 0.0 : belief_.drift());
+  return entryOf(passage_, plan_, settings_.crawl.keeps_heading ? 0.0 : belief_.drift(), *checker_);
 }
 
 bool Executor::isAligned() {
   if (settings_.crawl.fixed) return true;
+  const Pose there = entry();
   Motion lane = current()->motion;
+  lane.from = {there.x, there.y, lane.from.yaw};
   const OnLane off = onLane(lane, belief_.pose());
-  constexpr double kAlong_m = 0.02;  // along the passage it matters less
-  const bool is_in = std::abs(off.left_m) < passage_.tolerance_m && std::abs(off.along_m) < kAlong_m &&
-                     std::abs(normalizedAngle(belief_.pose().yaw - entry().yaw)) < passage_.tolerance_rad;
+  constexpr double kBehind_m = 0.02;  // further back than it should be matters less
+  const bool is_in = std::abs(off.left_m) < passage_.tolerance_m && off.along_m < passage_.tolerance_m &&
+                     off.along_m > -kBehind_m &&
+                     std::abs(normalizedAngle(belief_.pose().yaw - there.yaw)) < passage_.tolerance_rad;
   aligned_ticks_ = is_in ? aligned_ticks_ + 1 : 0;
   return aligned_ticks_ >= settings_.crawl.aligned_ticks;
 }

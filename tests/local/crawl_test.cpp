@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/planner/fixture.hpp"
 
@@ -36,9 +37,9 @@ TEST_F(ThePassage, IsAsLongAsThePlanCrawlsAndAsWideAsItsTightestPlace) {
 
 TEST_F(ThePassage, IsEnteredTurnedAgainstHalfTheDrift) {
   const Pose planned = plan_.segments[down_].motion.from;
-  EXPECT_EQ(entryOf(passage_, plan_, 0.0), planned);
+  EXPECT_EQ(entryOf(passage_, plan_, 0.0, checker_), planned);
   const double drift = 0.04;
-  const Pose entry = entryOf(passage_, plan_, drift);
+  const Pose entry = entryOf(passage_, plan_, drift, checker_);
   // Along the arc that it will crawl it comes out on the line.
   double x = 0.0;
   double left = 0.0;
@@ -47,6 +48,18 @@ TEST_F(ThePassage, IsEnteredTurnedAgainstHalfTheDrift) {
     heading += 0.001 * drift;
   }
   EXPECT_NEAR(left, 0.0, 1e-4);
+}
+
+TEST_F(ThePassage, IsEnteredFurtherBackOrTurnedLessWhereTheTurnedBodyWouldReachTooFarAhead) {
+  const Pose planned = plan_.segments[down_].motion.from;  // its way down ends .02 m before the table
+  const Switch& down = *test::nao()->findSwitch(0, 2);
+  for (const double drift : {-0.4, -0.1, -0.05, 0.05, 0.1, 0.4}) {
+    SCOPED_TRACE(drift);
+    const Pose entry = entryOf(passage_, plan_, drift, checker_);
+    EXPECT_TRUE(checker_.isFree(switchModes(down, entry), 0.014));
+    EXPECT_LE(std::abs(normalizedAngle(entry.yaw - planned.yaw)), 0.5 * std::abs(drift) * passage_.length_m);
+    EXPECT_LE(distance(entry.position(), planned.position()), 0.031);
+  }
 }
 
 TEST_F(ThePassage, LeavesNoRoomToGetUpUnderTheTableAndSomeBehindIt) {
