@@ -124,17 +124,16 @@ class Answerer {
     return passage;
   }
 
-  /// `similar`: found by another policy. Where both take the same way over the roadmap, shortening goes on
-  /// from there.
+  /// `similar`: found by another policy. Where both take the same way over the roadmap, what was
+  /// shortened there is only polished.
   std::optional<Found> find(const Stances& stances, const Found* similar = nullptr) {
     auto on_roadmap = passageBy(stances);
     if (!on_roadmap) return std::nullopt;
     const bool is_same = similar && areSameWay(*on_roadmap, similar->on_roadmap);
-    Passage begin = is_same ? similar->shortest : *on_roadmap;
-    if (is_same) begin.cost = Cost::most();  // by this policy it is not known
     const Target::Goal& goal = target_.goals[on_roadmap->goal];
     const Keeping keeping{graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
-    Passage shortest = shortened(checker_, stances, std::move(begin), keeping, interrupt_);
+    Passage shortest = is_same ? polished(checker_, stances, similar->shortest, keeping, interrupt_)
+                               : shortened(checker_, stances, *on_roadmap, keeping, interrupt_);
     if (interrupt_.isDueNow()) return std::nullopt;
     const Route route = routeOf(shortest);
     Plan plan =

@@ -37,6 +37,10 @@ class Shortening {
       improve(withMoves(step_m), interrupt);
       improve(withStopsLeftOut(), interrupt);
     }
+    return polished(interrupt);
+  }
+
+  Passage polished(Interrupt& interrupt) {
     for (const double step_m : kFine_m) nudge(step_m, interrupt);
     improve(withStopsLeftOut(), interrupt);
     return std::move(passage_);
@@ -130,6 +134,11 @@ class Shortening {
 Passage shortened(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
                   Interrupt& interrupt) {
   return Shortening(checker, stances, std::move(passage), keeping).best(interrupt);
+}
+
+Passage polished(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
+                 Interrupt& interrupt) {
+  return Shortening(checker, stances, std::move(passage), keeping).polished(interrupt);
 }
 
 }  // namespace underway

@@ -21,4 +21,8 @@ struct Keeping {
 [[nodiscard]] Passage shortened(const Checker& checker, const Stances& stances, Passage passage,
                                 const Keeping& keeping, Interrupt& interrupt);
 
+/// The same by small steps alone: for a passage that has been shortened under another policy.
+[[nodiscard]] Passage polished(const Checker& checker, const Stances& stances, Passage passage,
+                               const Keeping& keeping, Interrupt& interrupt);
+
 }  // namespace underway
