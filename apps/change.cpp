@@ -89,7 +89,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addChangeCommand(CLI::App& program) {
+Subcommand addChangeCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("change", "Change the world of a server, over DDS");
   const auto arguments = std::make_shared<Arguments>();
   addObstacles(command, "--add", arguments->added, "A new obstacle: middle and full size of a box [m, rad]");

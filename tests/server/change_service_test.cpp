@@ -214,7 +214,7 @@ TEST(ConvertChange, refusesWhatIsOutOfRangeUnread) {
   };
   EXPECT_EQ(messageWith([](auto&) {}), "taken");
   EXPECT_TRUE(messageWith([](auto& spoilt) {
-                std::memset(&spoilt.changes._buffer[0].kind, 3, 1);
+                std::memset(&spoilt.changes._buffer[0].kind, 4, 1);
               }).starts_with("changes[0]: kind"));
   EXPECT_TRUE(messageWith([](auto& spoilt) {
                 std::memset(spoilt.changes._buffer[0].obstacle, 'a', 256);

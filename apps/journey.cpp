@@ -1,0 +1,47 @@
+#include "apps/journey.hpp"
+
+#include <array>
+#include <string>
+
+#include "apps/table.hpp"
+#include "apps/terminal.hpp"
+#include "apps/text_file.hpp"
+
+namespace underway {
+
+std::string describe(const JourneyEnd& end, const Journal& journal) {
+  constexpr std::array kOutcomes{"stopped", "arrived", "found no way", "needs help"};
+  std::string text = std::string(kOutcomes.at(static_cast<std::size_t>(end.outcome))) + " after " +
+                     fixed(journal.time_s(), 1) + " s and " + std::to_string(journal.plans()) +
+                     (journal.plans() == 1 ? " plan" : " plans");
+  if (end.outcome != Mission::Outcome::kArrived && !end.why.empty()) text += ": " + printable(end.why);
+  return text;
+}
+
+ExitCode exitCodeOf(const JourneyEnd& end) {
+  switch (end.outcome) {
+    case Mission::Outcome::kArrived:
+      return ExitCode::kDone;
+    case Mission::Outcome::kNoWay:
+      return ExitCode::kNo;
+    case Mission::Outcome::kNeedsHelp:
+    case Mission::Outcome::kUnderway:
+      break;
+  }
+  return ExitCode::kOther;
+}
+
+ExitCode deliverJourney(const Expected<JourneyEnd>& end, const Journal& journal) {
+  if (!end) {
+    complain(end.error().message);
+    return exitCodeOf(end.error().code);
+  }
+  const std::string sentence = "the robot " + describe(*end, journal);
+  if (end->outcome != Mission::Outcome::kArrived)
+    complain(sentence);
+  else if (const auto written = writeOutput("T" + sentence.substr(1) + ".\n"); !written)
+    complain(written.error().message);
+  return exitCodeOf(*end);
+}
+
+}  // namespace underway
