@@ -19,6 +19,7 @@ struct Subcommand {
 [[nodiscard]] Subcommand addServeCommand(CLI::App& program);   ///< answers over DDS until it is told to stop
 [[nodiscard]] Subcommand addFollowCommand(CLI::App& program);  ///< drives a robot by a server's plans
 [[nodiscard]] Subcommand addSimCommand(CLI::App& program);     ///< stands in for a robot
+[[nodiscard]] Subcommand addRunCommand(CLI::App& program);     ///< all of that together, to look at
 [[nodiscard]] Subcommand addQueryCommand(CLI::App& program);   ///< judges one pose in every mode
 [[nodiscard]] Subcommand addCheckCommand(CLI::App& program);   ///< judges a plan by the certificate alone
 [[nodiscard]] Subcommand addGaitCommand(CLI::App& program);    ///< makes gaits and shows them

@@ -78,8 +78,8 @@ Expected<JourneyEnd> follow(const Arguments& arguments, const StopSignals& signa
     return plans->plan(asked, *world);
   };
   auto ended = follower.drive(site->world, site->robot, *request, source, signals.token(),
-                              [&](const Mission& mission, const Tick&, const HeardSenses&) {
-                                line.show(journal.tick(mission), mission);
+                              [&](const Mission& mission, const Tick& tick, const HeardSenses&) {
+                                line.show(journal.tick(mission), mission, tick.state);
                               });
   plans->forget();
   return ended;

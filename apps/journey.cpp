@@ -36,11 +36,9 @@ ExitCode deliverJourney(const Expected<JourneyEnd>& end, const Journal& journal)
     complain(end.error().message);
     return exitCodeOf(end.error().code);
   }
-  const std::string sentence = "the robot " + describe(*end, journal);
-  if (end->outcome != Mission::Outcome::kArrived)
-    complain(sentence);
-  else if (const auto written = writeOutput("T" + sentence.substr(1) + ".\n"); !written)
-    complain(written.error().message);
+  std::string sentence = "The robot ";
+  sentence.append(describe(*end, journal)).append(".\n");
+  if (const auto written = writeOutput(sentence); !written) complain(written.error().message);
   return exitCodeOf(*end);
 }
 

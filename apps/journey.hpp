@@ -25,7 +25,7 @@ class Journal {
 /// "arrived after 63.2 s and 2 plans", "there is no way after ...: why".
 [[nodiscard]] std::string describe(const JourneyEnd& end, const Journal& journal);
 [[nodiscard]] ExitCode exitCodeOf(const JourneyEnd& end);
-/// Tells how it ended: an arrival on standard output, all else on standard error.
+/// Tells how it ended on standard output; an error on standard error.
 [[nodiscard]] ExitCode deliverJourney(const Expected<JourneyEnd>& end, const Journal& journal);
 
 }  // namespace underway

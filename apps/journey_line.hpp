@@ -17,12 +17,12 @@ class JourneyLine {
   JourneyLine(const JourneyLine&) = delete;
   JourneyLine& operator=(const JourneyLine&) = delete;
 
-  /// After a tick, at a time since the beginning [s].
-  void show(double time_s, const Mission& mission);
+  /// After a tick, at a time since the beginning [s], with the state it told.
+  void show(double time_s, const Mission& mission, State state);
 
  private:
-  void showBar(double time_s, const Mission& mission);
-  void showLine(double time_s, const Mission& mission);
+  void showBar(double time_s, const Mission& mission, State state);
+  void showLine(double time_s, const Mission& mission, State state);
 
   const Robot& robot_;
   bool is_terminal_;
@@ -35,6 +35,6 @@ class JourneyLine {
 /// Metres of the plan that are still to go.
 [[nodiscard]] double leftOf(const Executor& executor);
 /// "walking (frontal), segment 2 of 7, 3.42 m to go".
-[[nodiscard]] std::string describe(const Executor& executor, const Robot& robot);
+[[nodiscard]] std::string describe(const Executor& executor, State state, const Robot& robot);
 
 }  // namespace underway

@@ -28,8 +28,9 @@ ExitCode runCommandLine(int argc, char** argv) {
       underway::addPlanCommand(program),   underway::addAskCommand(program),
       underway::addChangeCommand(program), underway::addServeCommand(program),
       underway::addFollowCommand(program), underway::addSimCommand(program),
-      underway::addQueryCommand(program),  underway::addCheckCommand(program),
-      underway::addGaitCommand(program),   underway::addBenchCommand(program)};
+      underway::addRunCommand(program),    underway::addQueryCommand(program),
+      underway::addCheckCommand(program),  underway::addGaitCommand(program),
+      underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -40,7 +41,8 @@ ExitCode runCommandLine(int argc, char** argv) {
   for (const Subcommand& command : commands)
     if (command.app->parsed()) return command.run();
   underway::complain(
-      "a command is missing; give plan, ask, change, serve, follow, sim, query, check or gait, or --help");
+      "a command is missing; give plan, ask, change, serve, follow, sim, run, query, check or gait, or "
+      "--help");
   return ExitCode::kInvalidInput;
 }
 
