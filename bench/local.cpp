@@ -12,8 +12,9 @@ struct Part {
   const char* name;
   Expected<void> (*add)(const LocalBench&, Report&);
 };
-constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure}, Part{"plans", addPlans},
-                            Part{"unmapped", addUnmapped}, Part{"tight", addTight}};
+constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure},
+                            Part{"plans", addPlans},     Part{"unmapped", addUnmapped},
+                            Part{"tight", addTight},     Part{"blocked", addBlocked}};
 
 }  // namespace
 

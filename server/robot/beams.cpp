@@ -34,15 +34,18 @@ Scan asStandardScan(const Beams& beams, std::span<const float> ranges_m, double 
     return scan;
   }
   scan.ranges_m.assign(scan.beams.count, Scan::kNothing);
+  constexpr double kWidest_rad = 0.2;
+  const double share = mount.at.position() == Point{} ? 0.5 : 0.7;
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     const double range = ranges_m[i];
     if (!std::isfinite(range) || range < mount.nearest_m || range <= 0.0) continue;
     const double bearing = beams.bearing(i);
     const Point end = transform(mount.at, {range * std::cos(bearing), range * std::sin(bearing)});
     const double seen_from_body = std::hypot(end.x, end.y);
-    // As wide as the beams lie apart, so that coarse ones leave no gaps; at least one of ours.
+    // As wide as the beams lie apart, so that coarse ones leave no gaps, and wider where another place sees
+    // them at a slant; at least one of ours.
     const double apart = std::abs(beams.step_rad) * range / std::max(seen_from_body, 1e-3);
-    const double half = 0.5 * std::clamp(apart, scan.beams.step_rad, 0.2);
+    const double half = share * std::clamp(apart, scan.beams.step_rad, kWidest_rad);
     shorten(scan, std::atan2(end.y, end.x), half, seen_from_body);
   }
   return scan;
