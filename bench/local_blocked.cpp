@@ -103,7 +103,7 @@ Expected<void> driveMap(const LocalBench& bench, const std::string& map, unsigne
 }  // namespace
 
 Expected<void> addBlocked(const LocalBench& bench, Report& report) {
-  const unsigned long seeds = bench.seeds(100);
+  const unsigned long seeds = bench.seeds(40);
   Times times;
   for (std::size_t i = 0; i < kMaps.size(); ++i) {
     if (const auto driven = driveMap(bench, kMaps.at(i), seeds, times); !driven) return driven;
