@@ -124,7 +124,7 @@ function drawWorld(i) {
 constexpr const char* kPlots = R"js(
 const stateColours = {idle: 'line', settling: 'line', walking: 'stand', aligning: 'low', 'going down': 'lie', crawling: 'lie',
   'getting up': 'lie', arrived: 'true', blocked: 'new', lost: 'bad', fallen: 'bad', stalled: 'bad'};
-let h, plotWide; const plotTall = 260, from = 62, last = Math.max(seconds(ticks - 1), .1);
+let h, plotWide; const plotTall = 260, from = 78, last = Math.max(seconds(ticks - 1), .1);
 const T = s => from + s / last * (plotWide - from - 14);
 function axis(top, bottom, most, unit, title) {
   h.font = '12px system-ui, sans-serif'; h.textAlign = 'right'; h.fillStyle = ink('dim'); h.strokeStyle = ink('line'); h.lineWidth = 1;

@@ -128,7 +128,7 @@ Expected<Met> Follower::meet(const std::stop_token& stop) {
 
 /// The error that ends the journey, if there is one.
 std::optional<Error> Follower::giveUp(const Mission& mission) const {
-  if (Clock::now() - heard_at_ > settings_.robot_silent) return unheard();
+  if (!is_fresh_ && Clock::now() - heard_at_ > settings_.robot_silent) return unheard();
   if (!refused_) return std::nullopt;
   if (isFatal(refused_->code)) return refused_;
   const bool is_away = refused_->code == ErrorCode::kNoServer || refused_->code == ErrorCode::kCancelled;
