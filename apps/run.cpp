@@ -115,7 +115,15 @@ class Body {
         stop_(std::move(stop)),
         thread_([this] { live(); }) {}
 
-  void join() { thread_.join(); }
+  ~Body() { join(); }
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  /// Ends it.
+  void join() {
+    stop_.request_stop();
+    if (thread_.joinable()) thread_.join();
+  }
   /// After join().
   [[nodiscard]] const sim::SimulatedRobot& robot() const { return robot_; }
   [[nodiscard]] const TrueTrack& track() const { return track_; }
@@ -157,15 +165,19 @@ std::string outcomeOf(const Ran& ran) {
   return text + fixed(ran.true_track.leastClearance(), 3) + " m.";
 }
 
-Expected<Ran> drive(const Arguments& arguments, const StopSignals& signals) {
-  const auto course = courseOf(arguments);
-  if (!course) return tl::unexpected(course.error());
-  const Site& site = course->site;
+/// Everyone who talks, before the first word.
+struct Stage {
+  std::shared_ptr<const Domain> domain;
+  Serving serving;
+  RemotePlans plans;
+  std::unique_ptr<RobotEnd> robot_end;
+  std::unique_ptr<DriverEnd> driver_end;
+};
+
+Expected<Stage> setStage(const Site& site, const Arguments& arguments, const std::stop_token& stop) {
   const auto domain = Domain::open({.tag = "underway-run-" + std::to_string(getpid())});
   if (!domain) return tl::unexpected(domain.error());
-  std::stop_source stop;
-  const std::stop_callback by_signal(signals.token(), [&] { stop.request_stop(); });
-  const auto serving = serve(*domain, site, stop.get_token());
+  auto serving = serve(*domain, site, stop);
   if (!serving) return tl::unexpected(serving.error());
   auto plans = RemotePlans::open(*domain, kName, site.world, site.robot, {arguments.query.deadline, {}});
   if (!plans) return tl::unexpected(plans.error());
@@ -173,29 +185,46 @@ Expected<Ran> drive(const Arguments& arguments, const StopSignals& signals) {
   if (!robot_end) return tl::unexpected(robot_end.error());
   auto driver_end = openDriverEnd(**domain, kName, site.robot);
   if (!driver_end) return tl::unexpected(driver_end.error());
+  return Stage{*domain, std::move(*serving), std::move(*plans), std::move(*robot_end),
+               std::move(*driver_end)};
+}
 
-  Body body(*course, arguments, std::move(*robot_end), stop);
+/// What the journey ended by, if it did not end by itself.
+JourneyEnd judged(JourneyEnd end, const sim::SimulatedRobot& body, double limit_s) {
+  const sim::Truth& truth = body.truth();
+  if (truth.has_collided) return {Mission::Outcome::kNeedsHelp, "it touched " + truth.with};
+  if (end.outcome == Mission::Outcome::kUnderway && body.now_s() > limit_s)
+    end.why = "it had " + fixed(limit_s, 0) + " s";
+  return end;
+}
+
+Expected<Ran> drive(const Arguments& arguments, const StopSignals& signals) {
+  const auto course = courseOf(arguments);
+  if (!course) return tl::unexpected(course.error());
+  std::stop_source stop;
+  const std::stop_callback by_signal(signals.token(), [&] { stop.request_stop(); });
+  auto stage = setStage(course->site, arguments, stop.get_token());
+  if (!stage) return tl::unexpected(stage.error());
+
+  Body body(*course, arguments, std::move(stage->robot_end), stop);
   Journal journal;
   OwnTrack own_track;
-  JourneyLine line(*site.robot);
-  Follower follower(std::move(*driver_end), {.is_in_step = true});
+  JourneyLine line(*course->site.robot);
+  Follower follower(std::move(stage->driver_end), {.is_in_step = true});
   const auto source = [&](const Request& asked, const std::shared_ptr<const World>& world) {
-    return plans->plan(asked, *world);
+    return stage->plans.plan(asked, *world);
   };
-  auto end = follower.drive(site.world, site.robot, course->request, source, stop.get_token(),
-                            [&](const Mission& mission, const Tick& tick, const HeardSenses& heard) {
-                              own_track.add(mission, tick.state, heard);
-                              line.show(journal.tick(mission), mission, tick.state);
-                            });
-  stop.request_stop();
+  const auto watch = [&](const Mission& mission, const Tick& tick, const HeardSenses& heard) {
+    own_track.add(mission, tick.state, heard);
+    line.show(journal.tick(mission), mission, tick.state);
+  };
+  const auto end = follower.drive(course->site.world, course->site.robot, course->request, source,
+                                  stop.get_token(), watch);
   body.join();
   if (!body.lived()) return tl::unexpected(body.lived().error());
   if (!end) return tl::unexpected(end.error());
-  const sim::Truth& truth = body.robot().truth();
-  if (truth.has_collided) *end = {Mission::Outcome::kNeedsHelp, "it touched " + truth.with};
-  if (end->outcome == Mission::Outcome::kUnderway && body.robot().now_s() > arguments.limit_s)
-    end->why = "it had " + fixed(arguments.limit_s, 0) + " s";
-  return Ran{*course, *end, journal, std::move(own_track), body.track(), truth};
+  const JourneyEnd last = judged(*end, body.robot(), arguments.limit_s);
+  return Ran{*course, last, journal, std::move(own_track), body.track(), body.robot().truth()};
 }
 
 Expected<void> writeReplay(const Ran& ran, const std::string& file) {

@@ -225,7 +225,12 @@ class RosDriverEnd final : public DriverEnd {
       fault_ = std::string(topic) + ": " + read.error().message;
     return read.has_value();
   }
-  void see(double stamp_s) { newest_s_ = std::max(newest_s_, stamp_s); }
+  /// A clock that has gone back a lot is that of a robot that started anew.
+  void see(double stamp_s) {
+    constexpr double kAnew_s = 5.0;
+    if (stamp_s < newest_s_ - kAnew_s) newest_s_ = ticked_s_ = stamp_s;
+    newest_s_ = std::max(newest_s_, stamp_s);
+  }
 
   /// With each word of the gait, or from a robot that tells none with each scan; but not more often than the
   /// local layer ticks.
