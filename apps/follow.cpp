@@ -19,7 +19,7 @@ constexpr const char* kExamples =
     "  underway sim --map maps/scenario3.yaml --start 0.6,2,0 &\n"
     "  underway follow --map maps/scenario3.yaml --goal 5.4,2,0\n"
     "  underway follow --map maps/scenario3.yaml --goal 5.4,2 --policy safest --name nao_2\n"
-    "  underway follow --map maps/office.yaml --goal 3,1 --ros --odom-topic amcl_odom --lidar 0.05,0,0\n"
+    "  underway follow --map maps/office.yaml --goal 3,1 --ros --network --odom-topic amcl_odom\n"
     "Where the robot is it tells itself; --start is for one that has no localisation. Ctrl-C has it stand "
     "still.\n"
     "Exit codes: 0 arrived, 3 there is no way, 4 no server, 2 invalid input, 1 it needs help, or anything "

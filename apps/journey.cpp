@@ -12,7 +12,7 @@ namespace underway {
 std::string describe(const JourneyEnd& end, const Journal& journal) {
   constexpr std::array kOutcomes{"stopped", "arrived", "found no way", "needs help"};
   std::string text = std::string(kOutcomes.at(static_cast<std::size_t>(end.outcome))) + " after " +
-                     fixed(journal.time_s(), 1) + " s and " + std::to_string(journal.plans()) +
+                     fixed(journal.time(), 1) + " s and " + std::to_string(journal.plans()) +
                      (journal.plans() == 1 ? " plan" : " plans");
   if (end.outcome != Mission::Outcome::kArrived && !end.why.empty()) text += ": " + printable(end.why);
   return text;

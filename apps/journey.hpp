@@ -14,7 +14,8 @@ class Journal {
     plans_ = mission.plans();
     return 0.1 * static_cast<double>(ticks_++);
   }
-  [[nodiscard]] double time_s() const { return 0.1 * static_cast<double>(ticks_); }
+  /// Of all ticks [s].
+  [[nodiscard]] double time() const { return 0.1 * static_cast<double>(ticks_); }
   [[nodiscard]] int plans() const { return plans_; }
 
  private:

@@ -20,6 +20,7 @@ constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure},
 
 std::vector<std::string> localParts() {
   std::vector<std::string> names;
+  names.reserve(kParts.size());
   for (const Part& part : kParts) names.emplace_back(part.name);
   return names;
 }

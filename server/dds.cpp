@@ -97,6 +97,7 @@ std::vector<std::string> userDataOfReaders(const Entity& writer) {
   const dds_return_t count = dds_get_matched_subscriptions(writer.get(), readers.data(), readers.size());
   readers.resize(std::clamp<std::size_t>(count < 0 ? 0 : static_cast<std::size_t>(count), 0, kMostReaders));
   std::vector<std::string> all;
+  all.reserve(readers.size());
   for (const dds_instance_handle_t reader : readers) all.push_back(userDataOf(writer.get(), reader));
   return all;
 }

@@ -80,7 +80,8 @@ Expected<void> takeAll(const dds::Entity& reader, const Use& use) {
   return {};
 }
 
-double wallClock_s() {
+/// Since the epoch [s].
+double wallClock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -140,7 +141,7 @@ class RosRobotEnd final : public RobotEnd {
   RosWire wire_;
   std::shared_ptr<const Robot> robot_;
   ros::Frames frames_;
-  double began_s_ = wallClock_s();
+  double began_s_ = wallClock();
   std::optional<ModeId> wanted_;
   dds::Entity scan_;
   dds::Entity odom_;
