@@ -102,11 +102,11 @@ TEST(IncludeRules, OnlyTheBenchesKnowThePeers) {
 }
 
 TEST(IncludeRules, OfTheServerOnlyTheRobotsSideKnowsTheLocalLayer) {
-  const std::string kRobotsSide = "server/robot/";
+  const std::string robots_side = "server/robot/";
   for (const Include& include : includesUnder("server")) {
-    const bool is_robots = include.file.starts_with(kRobotsSide);
+    const bool is_robots = include.file.starts_with(robots_side);
     EXPECT_TRUE(is_robots || !include.target.starts_with("local/")) << include.where();
-    EXPECT_TRUE(is_robots || !include.target.starts_with(kRobotsSide)) << include.where();
+    EXPECT_TRUE(is_robots || !include.target.starts_with(robots_side)) << include.where();
   }
 }
 

@@ -43,11 +43,11 @@ struct ReplayTest : testing::Test {
     return std::make_shared<const World>(
         *World::make("</script>", {{0, 0, 0}, 4, 3}, 0.0, std::move(obstacles)));
   }
-  const Obstacle kTable{"table", {{3.7, 1.5, 0.5}, {0.4, 2.0, 0.04}, {}}};
-  const Obstacle kStep{"step", {{0.2, 2.8, 0.1}, {0.2, 0.2, 0.2}, {}}};
-  const Obstacle kBox{"box", {{1.8, 1.5, 0.4}, {0.2, 0.7, 0.8}, {}}};
-  std::shared_ptr<const World> map = room({kTable, kStep});
-  std::shared_ptr<const World> truth = room({kTable, kStep, kBox});
+  const Obstacle table{"table", {{3.7, 1.5, 0.5}, {0.4, 2.0, 0.04}, {}}};
+  const Obstacle step{"step", {{0.2, 2.8, 0.1}, {0.2, 0.2, 0.2}, {}}};
+  const Obstacle box{"box", {{1.8, 1.5, 0.4}, {0.2, 0.7, 0.8}, {}}};
+  std::shared_ptr<const World> map = room({table, step});
+  std::shared_ptr<const World> truth = room({table, step, box});
   Request request = test::requestFor({0.6, 1.5, 0.0}, {2.8, 1.5, 0.0});
   TrueTrack true_track{truth, test::nao()};
   OwnTrack own_track;

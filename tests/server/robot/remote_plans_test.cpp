@@ -80,6 +80,7 @@ TEST_F(RemotePlansTest, putsWhatWasSeenIntoTheWorldUnderTheRobotsNameAndTakesBac
 TEST_F(RemotePlansTest, aNoIsTheServersAnswer) {
   RemotePlans dut = robot("a");
   std::vector<Obstacle> wall;
+  wall.reserve(70);
   for (int i = 0; i < 70; ++i) wall.push_back(seen(std::to_string(i), 1.2, 0.03 + 0.058 * i));
   const auto plan = dut.plan(aside(), with(*map, wall));
   ASSERT_FALSE(plan);
@@ -89,6 +90,7 @@ TEST_F(RemotePlansTest, aNoIsTheServersAnswer) {
 TEST_F(RemotePlansTest, moreThanARequestHoldsIsToldInSeveral) {
   RemotePlans dut = robot("a");
   std::vector<Obstacle> many;
+  many.reserve(1500);
   for (int i = 0; i < 1500; ++i) many.push_back(seen(std::to_string(i), 5.5 + 0.0001 * i, 3.5));
   ASSERT_TRUE(dut.plan(aside(), with(*map, many)));
   EXPECT_EQ(there().size(), map->obstacles().size() + 1500);

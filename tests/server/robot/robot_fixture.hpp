@@ -31,14 +31,14 @@ inline HeardSenses randomSenses(std::uint64_t seed) {
   if (coin(random))
     rest.pose = PoseEstimate{rest.now_s - 0.1, {number(random), number(random), number(random)}};
   if (coin(random)) rest.heading_rad = number(random);
-  const auto scanOf = [&](const Beams& beams) {
+  const auto scan_of = [&](const Beams& beams) {
     Scan scan{rest.now_s, beams, {}};
     for (std::size_t i = 0; i < beams.count; ++i)
       scan.ranges_m.push_back(coin(random) ? static_cast<float>(std::abs(number(random))) : Scan::kNothing);
     return scan;
   };
-  if (coin(random)) senses.scan = scanOf(Beams{});
-  if (coin(random)) senses.depth = scanOf(depthBeamsOf(1.5));
+  if (coin(random)) senses.scan = scan_of(Beams{});
+  if (coin(random)) senses.depth = scan_of(depthBeamsOf(1.5));
   return senses;
 }
 

@@ -71,7 +71,7 @@ TEST_F(RosEndsTest, whileLyingTheGaitAloneIsATick) {
 }
 
 TEST_F(RosEndsTest, aCommandIsAVelocityOrAMode) {
-  const auto sendAndHear = [this](const Command& command) {
+  const auto send_and_hear = [this](const Command& command) {
     for (const auto until = inTime(); Clock::now() < until;) {
       EXPECT_TRUE(driver->send(1, command));
       const auto heard = robot->hear(Clock::now() + milliseconds(100)).value();
@@ -79,9 +79,9 @@ TEST_F(RosEndsTest, aCommandIsAVelocityOrAMode) {
     }
     return false;
   };
-  EXPECT_TRUE(sendAndHear({{0.05, -0.02, 0.25}, std::nullopt}));
-  EXPECT_TRUE(sendAndHear({{}, ModeId{2}}));
-  EXPECT_TRUE(sendAndHear({{0.01, 0.0, 0.0}, std::nullopt}));
+  EXPECT_TRUE(send_and_hear({{0.05, -0.02, 0.25}, std::nullopt}));
+  EXPECT_TRUE(send_and_hear({{}, ModeId{2}}));
+  EXPECT_TRUE(send_and_hear({{0.01, 0.0, 0.0}, std::nullopt}));
 }
 
 /// A ROS 2 node, as far as DDS can tell.
