@@ -18,6 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array kMaps{"scenario1", "scenario2a", "scenario3", "arena_open", "arena_corridor", "flat"};
 constexpr double kLimit_s = 900.0;  // simulated
+constexpr double kAsked_ms = 100.0;
 constexpr const char* kName = "bench";
 
 /// A real server of a map.
@@ -44,6 +45,7 @@ struct Times {
   std::vector<double> ms;     // from the tick that says blocked to the first command of the new plan
   std::vector<double> ticks;  // from that tick to the one of that command
   unsigned long refused = 0;  // there was no plan round what was seen
+  unsigned batches = 0;       // of the roadmap in the end
 };
 
 bool moves(const Command& command) { return !(command.velocity == Velocity{}) || command.change_to; }
@@ -52,7 +54,9 @@ bool moves(const Command& command) { return !(command.velocity == Velocity{}) ||
 void drive(const Course& course, const std::shared_ptr<const Robot>& robot, RemotePlans& plans,
            std::uint64_t seed, Times& times) {
   const auto source = [&](const Request& request, const std::shared_ptr<const World>& world) {
-    return plans.plan(request, *world);
+    auto plan = plans.plan(request, *world);
+    if (!plan) ++times.refused;
+    return plan;
   };
   Mission mission(course.map, robot, course.request, source);
   sim::SimulatedRobot body(course.truth, robot, course.request.start, course.request.start_mode, seed);
@@ -65,7 +69,6 @@ void drive(const Course& course, const std::shared_ptr<const Robot>& robot, Remo
     const Tick tick = mission.tick(senses);
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
     body.step(tick.command);
-    if (tick.state == State::kBlocked && mission.plans() == known) ++times.refused;
     if (tick.state == State::kBlocked && mission.plans() > known) {
       ms = took_ms;
       ticks = 0;
@@ -97,42 +100,54 @@ Expected<void> driveMap(const LocalBench& bench, const std::string& map, unsigne
     if (!plan) continue;
     drive(withUnmappedBoxes(course, *plan, bench.robot, seed), bench.robot, *plans, seed, times);
   }
+  if (const auto roadmap = served->planner->roadmap()) times.batches = roadmap->batches;
   return {};
+}
+
+void addRow(const std::string& name, double value, const char* unit, const Times& of, Report& report) {
+  report.rows.push_back(
+      {"blocked to new command, with the server" + name, value, unit, "", {}, 1, of.ms.size(), {}, {}});
+}
+
+/// How quick it was in a map, and what the roadmap has grown to by then: the more, the longer queries take.
+void addMap(const std::string& map, const Times& times, Report& report) {
+  if (times.ms.empty()) return;
+  addRow(", " + map + ": p50", quantile(times.ms, 0.5), "ms", times, report);
+  addRow(", " + map + ": p99", quantile(times.ms, 0.99), "ms", times, report);
+  addRow(", " + map + ": the roadmap in the end", times.batches, "batches", times, report);
+}
+
+void addAll(const Times& times, Report& report) {
+  const auto quick =
+      std::count_if(times.ms.begin(), times.ms.end(), [](double ms) { return ms < kAsked_ms; });
+  addRow(": p50", quantile(times.ms, 0.5), "ms", times, report);
+  addRow(": p99", quantile(times.ms, 0.99), "ms", times, report);
+  report.rows.back().goal = "< 100";
+  report.rows.back().met = quantile(times.ms, 0.99) < kAsked_ms;
+  addRow(": most", quantile(times.ms, 1.0), "ms", times, report);
+  addRow(": within 100 ms", 100.0 * static_cast<double>(quick) / static_cast<double>(times.ms.size()), "%",
+         times, report);
+  addRow(": ticks to the command, most", quantile(times.ticks, 1.0), "ticks", times, report);
+  addRow(": 'no' for an answer", static_cast<double>(times.refused), "times", times, report);
 }
 
 }  // namespace
 
 Expected<void> addBlocked(const LocalBench& bench, Report& report) {
   const unsigned long seeds = bench.seeds(40);
-  Times times;
+  Times all;
   for (std::size_t i = 0; i < kMaps.size(); ++i) {
+    Times times;
     if (const auto driven = driveMap(bench, kMaps.at(i), seeds, times); !driven) return driven;
+    addMap(kMaps.at(i), times, report);
+    all.ms.insert(all.ms.end(), times.ms.begin(), times.ms.end());
+    all.ticks.insert(all.ticks.end(), times.ticks.begin(), times.ticks.end());
+    all.refused += times.refused;
     bench.progress(static_cast<double>(i + 1) / kMaps.size());
   }
-  if (times.ms.empty())
+  if (all.ms.empty())
     return fail(ErrorCode::kInternal, "no robot was ever blocked: there is nothing to measure");
-  const std::string what = "blocked to new command, with the server: ";
-  const auto add = [&](const std::string& name, double value, const char* unit, const char* goal,
-                       bool is_met) {
-    report.rows.push_back({what + name,
-                           value,
-                           unit,
-                           goal,
-                           goal[0] == '\0' ? std::optional<bool>() : is_met,
-                           1,
-                           times.ms.size(),
-                           {},
-                           {}});
-  };
-  const double p99 = quantile(times.ms, 0.99);
-  add("p50", quantile(times.ms, 0.5), "ms", "", false);
-  add("p99", p99, "ms", "< 100", p99 < 100.0);
-  const auto quick = std::count_if(times.ms.begin(), times.ms.end(), [](double ms) { return ms < 100.0; });
-  add("within 100 ms", 100.0 * static_cast<double>(quick) / static_cast<double>(times.ms.size()), "%", "",
-      false);
-  add("most", quantile(times.ms, 1.0), "ms", "", false);
-  add("ticks between, most", quantile(times.ticks, 1.0), "ticks", "", false);
-  add("refused by the server", static_cast<double>(times.refused), "times", "", false);
+  addAll(all, report);
   return {};
 }
 
