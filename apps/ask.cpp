@@ -126,7 +126,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addAskCommand(CLI::App& program) {
+Subcommand addAskCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("ask", "Ask a server for a plan, over DDS");
   const auto arguments = std::make_shared<Arguments>();
   addQuery(command, arguments->query);

@@ -200,7 +200,7 @@ ExitCode run(const Arguments& arguments) {
 /// Of all benchmarks that have parts.
 }  // namespace
 
-Command addBenchCommand(CLI::App& program) {
+Subcommand addBenchCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("bench", "Measure the planner and its parts");
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("name", arguments->name, "Which benchmark")

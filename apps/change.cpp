@@ -14,6 +14,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  underway change --add box=3,2,0.2,0.4,0.4,0.4\n"
     "  underway change --move table_top=4,2.2,0.65,0.4,0.8,0.7 --remove box --if-revision 2\n"
+    "  underway change --remove-all nao.           # what robot nao saw\n"
     "  underway change                            # changes nothing, tells how the world is\n"
     "All changes are made or none: first what is removed, then what is moved, then what is added.\n"
     "Exit codes: 0 done, 3 another revision than --if-revision, 2 invalid input, 4 no server, 1 anything "
@@ -23,6 +24,7 @@ struct Arguments {
   std::string robot_name = "operator";
   DomainSettings domain;
   std::vector<std::string> removed;
+  std::vector<std::string> removed_all;
   std::vector<Obstacle> moved;
   std::vector<Obstacle> added;
   std::uint64_t if_revision = 0;
@@ -33,6 +35,8 @@ ChangeQuestion questionOf(const Arguments& arguments) {
   ChangeQuestion question{arguments.robot_name, {}, arguments.if_revision};
   for (const std::string& id : arguments.removed)
     question.changes.push_back({WorldChange::Kind::kRemove, id});
+  for (const std::string& beginning : arguments.removed_all)
+    question.changes.push_back({WorldChange::Kind::kRemoveAll, beginning});
   for (const Obstacle& obstacle : arguments.moved)
     question.changes.push_back({WorldChange::Kind::kMove, obstacle.id, obstacle.box});
   for (const Obstacle& obstacle : arguments.added)
@@ -89,13 +93,18 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addChangeCommand(CLI::App& program) {
+Subcommand addChangeCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("change", "Change the world of a server, over DDS");
   const auto arguments = std::make_shared<Arguments>();
   addObstacles(command, "--add", arguments->added, "A new obstacle: middle and full size of a box [m, rad]");
   addObstacles(command, "--move", arguments->moved, "An obstacle and the box it becomes [m, rad]");
   command.add_option("--remove", arguments->removed, "An obstacle that goes")
       ->type_name("ID")
+      ->allow_extra_args(false);
+  command
+      .add_option("--remove-all", arguments->removed_all,
+                  "All obstacles whose ids begin so go; there may be none. NAME. is what robot NAME saw")
+      ->type_name("BEGINNING")
       ->allow_extra_args(false);
   command.add_option("--if-revision", arguments->if_revision, "Only if the world is at this revision")
       ->type_name("N");

@@ -90,7 +90,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addCheckCommand(CLI::App& program) {
+Subcommand addCheckCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("check", "Judge a plan file by the certificate alone");
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("PLAN", arguments->plan.stale, "A file written by --json")

@@ -187,7 +187,7 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
 
 }  // namespace
 
-Command addGaitCommand(CLI::App& program) {
+Subcommand addGaitCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("gait", "Make, choose and look at gaits");
   command.require_subcommand(0, 1);  // none at all is told below, in our own words
   command.footer(kExamples);

@@ -9,8 +9,8 @@
 
 namespace {
 
-using underway::Command;
 using underway::ExitCode;
+using underway::Subcommand;
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -24,11 +24,13 @@ ExitCode runCommandLine(int argc, char** argv) {
                    "underway");
   program.require_subcommand(0, 1);  // none at all is told below, in our own words
   program.footer(kExamples);
-  const std::vector<Command> commands{
+  const std::vector<Subcommand> commands{
       underway::addPlanCommand(program),   underway::addAskCommand(program),
       underway::addChangeCommand(program), underway::addServeCommand(program),
-      underway::addQueryCommand(program),  underway::addCheckCommand(program),
-      underway::addGaitCommand(program),   underway::addBenchCommand(program)};
+      underway::addFollowCommand(program), underway::addSimCommand(program),
+      underway::addRunCommand(program),    underway::addQueryCommand(program),
+      underway::addCheckCommand(program),  underway::addGaitCommand(program),
+      underway::addBenchCommand(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -36,9 +38,11 @@ ExitCode runCommandLine(int argc, char** argv) {
     underway::complain(error.what());
     return ExitCode::kInvalidInput;
   }
-  for (const Command& command : commands)
+  for (const Subcommand& command : commands)
     if (command.app->parsed()) return command.run();
-  underway::complain("a command is missing; give plan, ask, change, serve, query, check or gait, or --help");
+  underway::complain(
+      "a command is missing; give plan, ask, change, serve, follow, sim, run, query, check or gait, or "
+      "--help");
   return ExitCode::kInvalidInput;
 }
 

@@ -113,7 +113,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addPlanCommand(CLI::App& program) {
+Subcommand addPlanCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("plan", "Plan a way on the spot");
   const auto arguments = std::make_shared<Arguments>();
   addMap(command, arguments->map)->required();

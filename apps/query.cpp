@@ -111,7 +111,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addQueryCommand(CLI::App& program) {
+Subcommand addQueryCommand(CLI::App& program) {
   CLI::App& command =
       *program.add_subcommand("query", "Judge one pose in every mode: free, how close, what is hit");
   const auto arguments = std::make_shared<Arguments>();

@@ -151,7 +151,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Command addServeCommand(CLI::App& program) {
+Subcommand addServeCommand(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("serve", "Answer plan requests over DDS until told to stop");
   const auto arguments = std::make_shared<Arguments>();
   addMap(command, arguments->map)->required();

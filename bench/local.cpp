@@ -12,8 +12,9 @@ struct Part {
   const char* name;
   Expected<void> (*add)(const LocalBench&, Report&);
 };
-constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure}, Part{"plans", addPlans},
-                            Part{"unmapped", addUnmapped}, Part{"tight", addTight}};
+constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure},
+                            Part{"plans", addPlans},     Part{"unmapped", addUnmapped},
+                            Part{"tight", addTight},     Part{"blocked", addBlocked}};
 
 }  // namespace
 
@@ -34,6 +35,7 @@ void Collisions::addRows(const std::string& what, Report& report) const {
 
 std::vector<std::string> localParts() {
   std::vector<std::string> names;
+  names.reserve(kParts.size());
   for (const Part& part : kParts) names.emplace_back(part.name);
   return names;
 }

@@ -42,5 +42,7 @@ struct Collisions {
 [[nodiscard]] Expected<void> addUnmapped(const LocalBench& bench, Report& report);
 /// Gaps that leave a body 6 cm, for each mode.
 [[nodiscard]] Expected<void> addTight(const LocalBench& bench, Report& report);
+/// How long it takes from 'blocked' to the new plan's first command, with a server over DDS.
+[[nodiscard]] Expected<void> addBlocked(const LocalBench& bench, Report& report);
 
 }  // namespace underway::bench

@@ -3,6 +3,19 @@
 namespace underway {
 namespace {
 
+/// An empty beginning is every id's, and never meant.
+Expected<World> withoutAll(const World& world, const std::string& beginning) {
+  if (beginning.empty())
+    return fail(ErrorCode::kInvalidRequest, "say how the ids begin of the obstacles that go");
+  std::vector<std::string> ids;
+  for (const Obstacle& obstacle : world.obstacles())
+    if (obstacle.id.starts_with(beginning)) ids.push_back(obstacle.id);
+  Expected<World> last = world;
+  for (const std::string& id : ids)
+    if (last) last = last->removed(id);
+  return last;
+}
+
 Expected<World> after(const World& world, const WorldChange& change) {
   switch (change.kind) {
     case WorldChange::Kind::kAdd:
@@ -11,6 +24,8 @@ Expected<World> after(const World& world, const WorldChange& change) {
       return world.moved(change.obstacle, change.box);
     case WorldChange::Kind::kRemove:
       return world.removed(change.obstacle);
+    case WorldChange::Kind::kRemoveAll:
+      return withoutAll(world, change.obstacle);
   }
   return fail(ErrorCode::kInvalidRequest, "there is no such kind of change");
 }

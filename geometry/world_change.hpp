@@ -10,13 +10,16 @@ namespace underway {
 
 /// One thing that changes in a world.
 struct WorldChange {
-  enum class Kind : std::uint8_t { kAdd, kMove, kRemove };
+  enum class Kind : std::uint8_t { kAdd, kMove, kRemove, kRemoveAll };
   Kind kind = Kind::kAdd;
-  std::string obstacle;  ///< its id: new for kAdd, there already for the others
-  OrientedBox box = {};  ///< where it is afterwards; ignored for kRemove
+  /// Its id: new for kAdd, there already for kMove and kRemove. Of kRemoveAll how the ids begin of all that
+  /// go, which may be none.
+  std::string obstacle;
+  OrientedBox box = {};  ///< where it is afterwards; ignored when removing
 };
 
-/// The world after changes, made one after the other; the revision rises by one for each. All of them or
+/// The world after changes, made one after the other; the revision rises by one for each
+/// obstacle. All of them or
 /// none. Errors: kInvalidRequest, one sentence with the number of the change.
 [[nodiscard]] Expected<World> changed(const World& world, std::span<const WorldChange> changes);
 

@@ -101,6 +101,7 @@ Expected<Plan> Mission::planFromHere() {
 
 void Mission::refused(const Error& error, double now_s) {
   why_ = error.message;
+  if (error.code == ErrorCode::kBusy) return;  // asked again with the next tick, standing still
   if (error.code == ErrorCode::kNoServer) {
     again_s_ = now_s + kAskAgain_s;  // it stands still meanwhile
     return;

@@ -9,7 +9,8 @@
 namespace underway {
 
 /// Where plans come from: the planner in this process, or a server. Given what to plan and the world as the
-/// robot knows it; errors as of Planner::plan, kNoServer when nobody answers.
+/// robot knows it; errors as of Planner::plan, kNoServer when nobody answers, kBusy when the answer is not
+/// there yet and is to be asked for again.
 using PlanSource = std::function<Expected<Plan>(const Request&, const std::shared_ptr<const World>&)>;
 
 /// Brings a robot to a goal: asks for a plan, has it executed, and when the world disagrees puts what was

@@ -30,11 +30,11 @@ bool isObstacleId(std::optional<std::string_view> id) {
 
 /// What is wrong with a change, naming the field; empty if nothing is.
 std::string faultOf(const underway_Change& wire) {
-  if (bitsOf<std::uint32_t>(wire.kind) > underway_REMOVE_OBSTACLE)
-    return "kind must be ADD_OBSTACLE, MOVE_OBSTACLE or REMOVE_OBSTACLE";
+  if (bitsOf<std::uint32_t>(wire.kind) > underway_REMOVE_ALL)
+    return "kind must be ADD_OBSTACLE, MOVE_OBSTACLE, REMOVE_OBSTACLE or REMOVE_ALL";
   if (!isObstacleId(textOf(wire.obstacle)))
     return "obstacle must be an id of 1 to 255 bytes without control characters";
-  if (wire.kind == underway_REMOVE_OBSTACLE) return {};
+  if (wire.kind == underway_REMOVE_OBSTACLE || wire.kind == underway_REMOVE_ALL) return {};
   if (!isWithin(wire.center_m, World::kLargest_m)) return "center_m must be numbers from -100000 to 100000 m";
   if (!isWithin(wire.size_m, World::kLargest_m) ||
       !(std::min({wire.size_m.x, wire.size_m.y, wire.size_m.z}) > 0.0))
@@ -98,7 +98,7 @@ Expected<std::vector<WorldChange>> fromWire(const underway_ChangeRequest& wire) 
     const underway_Change& from = wire.changes._buffer[i];
     if (const std::string fault = faultOf(from); !fault.empty()) return faultAt(i, fault);
     WorldChange change{static_cast<WorldChange::Kind>(from.kind), std::string(*textOf(from.obstacle)), {}};
-    if (change.kind != WorldChange::Kind::kRemove)
+    if (change.kind == WorldChange::Kind::kAdd || change.kind == WorldChange::Kind::kMove)
       change.box = {vectorOf(from.center_m), vectorOf(from.size_m), vectorOf(from.rpy_rad)};
     changes.push_back(std::move(change));
   }

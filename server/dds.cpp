@@ -16,10 +16,16 @@ using Qos = std::unique_ptr<dds_qos_t, FreeQos>;
 
 Qos qosOf(const EndpointOptions& options) {
   Qos qos(dds_create_qos());
-  dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(options.max_blocking.count()));
+  dds_qset_reliability(qos.get(),
+                       options.is_best_effort ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+                       DDS_MSECS(options.max_blocking.count()));
   dds_qset_durability(qos.get(),
                       options.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, options.depth);
+  if (options.is_plain_cdr) {
+    const dds_data_representation_id_t plain = DDS_DATA_REPRESENTATION_XCDR1;
+    dds_qset_data_representation(qos.get(), 1, &plain);
+  }
   if (!options.partition.empty()) dds_qset_partition1(qos.get(), options.partition.c_str());
   if (!options.user_data.empty())
     dds_qset_userdata(qos.get(), options.user_data.data(), options.user_data.size());
@@ -91,6 +97,7 @@ std::vector<std::string> userDataOfReaders(const Entity& writer) {
   const dds_return_t count = dds_get_matched_subscriptions(writer.get(), readers.data(), readers.size());
   readers.resize(std::clamp<std::size_t>(count < 0 ? 0 : static_cast<std::size_t>(count), 0, kMostReaders));
   std::vector<std::string> all;
+  all.reserve(readers.size());
   for (const dds_instance_handle_t reader : readers) all.push_back(userDataOf(writer.get(), reader));
   return all;
 }

@@ -48,13 +48,15 @@ class Entity {
 [[nodiscard]] Expected<Entity> createTopic(const Entity& participant, const dds_topic_descriptor_t& type,
                                            const char* name);
 
-/// RELIABLE, KEEP_LAST.
+/// RELIABLE unless it says otherwise, KEEP_LAST.
 struct EndpointOptions {
   std::string partition = {};                 ///< "": the default partition
   std::int32_t depth = 1;                     ///< samples kept
   std::string user_data = {};                 ///< told to matched peers
   std::chrono::milliseconds max_blocking{0};  ///< of a write, when a peer does not keep up
   bool is_for_latecomers = false;             ///< TRANSIENT_LOCAL rather than VOLATILE
+  bool is_best_effort = false;                ///< of a reader: takes what writers of either kind send
+  bool is_plain_cdr = false;                  ///< XCDR version 1 alone, which is what ROS 2 speaks
 };
 [[nodiscard]] Expected<Entity> createReader(const Entity& participant, const Entity& topic,
                                             const EndpointOptions& options);

@@ -27,11 +27,17 @@ constexpr const char* kLoopback =
     "</Domain></CycloneDDS>";
 
 /// Cyclone DDS reads a comma-separated list; later parts go before earlier ones.
-std::string configuration(bool use_network) {
+std::string configuration(const DomainSettings& settings) {
   std::string text = kAlways;
-  if (const char* uri = std::getenv("CYCLONEDDS_URI"); uri != nullptr && *uri != '\0')
-    return text + "," + uri;
-  if (!use_network) text += std::string(",") + kLoopback;
+  const char* uri = std::getenv("CYCLONEDDS_URI");
+  if (uri != nullptr && *uri != '\0')
+    text.append(",").append(uri);
+  else if (!settings.use_network)
+    text.append(",").append(kLoopback);
+  if (!settings.tag.empty())
+    text.append(",<CycloneDDS><Domain Id=\"any\"><Discovery><Tag>")
+        .append(settings.tag)
+        .append("</Tag></Discovery></Domain></CycloneDDS>");
   return text;
 }
 
@@ -42,7 +48,7 @@ Expected<std::shared_ptr<const Domain>> Domain::open(const DomainSettings& setti
   if (settings.id > kLargestId)
     return fail(ErrorCode::kInvalidRequest,
                 label + " does not exist: choose an id from 0 to " + std::to_string(kLargestId));
-  const dds_entity_t handle = dds_create_domain(settings.id, configuration(settings.use_network).c_str());
+  const dds_entity_t handle = dds_create_domain(settings.id, configuration(settings).c_str());
   if (handle == DDS_RETCODE_PRECONDITION_NOT_MET)
     return fail(ErrorCode::kInvalidRequest, label + " is already open in this process: share the open one");
   if (handle < 0)

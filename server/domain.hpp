@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "geometry/error.hpp"
 
@@ -11,6 +12,7 @@ namespace underway {
 struct DomainSettings {
   std::uint32_t id = 0;      ///< DDS domain, 0..Domain::kLargestId; only equal ids meet
   bool use_network = false;  ///< false: this machine only. CYCLONEDDS_URI, when set, decides instead
+  std::string tag = {};      ///< only equal tags meet; letters, digits and -, for one that wants to be alone
 };
 
 /// This process's membership in a DDS domain. A process has one for each id: open it once and share it

@@ -22,9 +22,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"gait", {}},
     {"sim", {"geometry", "gait", "local"}},
     {"planner", {"geometry"}},
-    {"server", {"geometry", "planner"}},
+    {"server", {"geometry", "planner", "local"}},
     {"local", {"geometry", "planner", "gait"}},
-    {"bench", {"geometry", "planner", "gait", "local", "sim"}},
+    {"bench", {"geometry", "planner", "gait", "local", "sim", "server"}},
     {"apps", {"geometry", "planner", "gait", "local", "sim", "server", "bench"}},
 };
 
@@ -99,6 +99,15 @@ TEST(IncludeRules, OnlyTheBenchesKnowThePeers) {
       if (include.target.starts_with(kPeers)) {
         EXPECT_EQ(folder, "bench") << include.where();
       }
+}
+
+TEST(IncludeRules, OfTheServerOnlyTheRobotsSideKnowsTheLocalLayer) {
+  const std::string robots_side = "server/robot/";
+  for (const Include& include : includesUnder("server")) {
+    const bool is_robots = include.file.starts_with(robots_side);
+    EXPECT_TRUE(is_robots || !include.target.starts_with("local/")) << include.where();
+    EXPECT_TRUE(is_robots || !include.target.starts_with(robots_side)) << include.where();
+  }
 }
 
 TEST(IncludeRules, EveryOwnerUsesWhatItOwns) {

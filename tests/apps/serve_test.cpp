@@ -164,6 +164,14 @@ TEST_F(ServeChanging, AddsMovesAndRemovesObstacles) {
   EXPECT_NE(runProgram({"change", "--domain", testDomain()}).output.find("revision 4, "), std::string::npos);
 }
 
+TEST_F(ServeChanging, RemovesAllThatOneRobotSaw) {
+  ASSERT_EQ(client("change", {"--add", "nao.seen_1=" + at_, "--add", "nao_2.seen_1=" + at_}).exit_code, 0);
+  const Outcome removed = client("change", {"--remove-all", "nao."});
+  ASSERT_EQ(removed.exit_code, 0) << removed.errors;
+  EXPECT_EQ(Json::parse(removed.output)["revision"], 4);
+  EXPECT_EQ(Json::parse(client("change", {"--remove-all", "nao."}).output)["revision"], 4);
+}
+
 TEST_F(ServeChanging, RefusesChangesInASentenceAndMakesNone) {
   const Outcome unknown = client("change", {"--remove", "wall_left", "--move", "chair=" + at_});
   EXPECT_EQ(unknown.exit_code, 2);

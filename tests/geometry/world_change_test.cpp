@@ -35,6 +35,21 @@ TEST(WorldChange, thereAndBackGivesTheSameHash) {
   EXPECT_EQ(changed(room(), changes)->hash(), room().hash());
 }
 
+TEST(WorldChange, allWhoseIdsBeginAlikeGoTogetherAndThereMayBeNone) {
+  const WorldChange changes[] = {{Kind::kAdd, "a.seen_1", kHere},
+                                 {Kind::kAdd, "ab.seen_1", kHere},
+                                 {Kind::kAdd, "a.seen_2", kThere},
+                                 {Kind::kRemoveAll, "a.seen_"},
+                                 {Kind::kRemoveAll, "a.seen_"}};
+  const Expected<World> dut = changed(room(), changes);
+  ASSERT_TRUE(dut) << dut.error().message;
+  EXPECT_EQ(dut->obstacles().size(), 3U);
+  EXPECT_TRUE(dut->obstacles().find("ab.seen_1"));
+  EXPECT_EQ(dut->revision(), 6U);  // three came, two went
+  const WorldChange everything[] = {{Kind::kRemoveAll, ""}};
+  EXPECT_FALSE(changed(room(), everything));
+}
+
 TEST(WorldChange, thatCannotBeMadeIsNamedByItsNumber) {
   const std::pair<WorldChange, const char*> cases[] = {
       {{Kind::kAdd, "box", kThere}, "box"},

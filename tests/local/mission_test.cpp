@@ -77,6 +77,23 @@ TEST(Mission, StandsStillWhileTheServerIsGoneAndAsksAgain) {
   EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived);
 }
 
+TEST(Mission, StandsStillWhileThePlanIsOnItsWayAndAsksWithEveryTick) {
+  const auto map = roomWith({});
+  Source source;
+  int asked = 0;
+  const auto slow = [&](const Request& request, const std::shared_ptr<const World>& world) -> Expected<Plan> {
+    if (++asked <= 50) return fail(ErrorCode::kBusy, "it is being planned");
+    return source(request, world);
+  };
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), slow);
+  sim::SimulatedRobot body(map, test::nao(), kStart, 0, 1);
+  for (int k = 0; k < 50; ++k) body.step(dut.tick(body.sense()).command);
+  EXPECT_EQ(asked, 50);
+  EXPECT_EQ(dut.outcome(), Outcome::kUnderway);
+  EXPECT_EQ(body.truth().pose, kStart);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived);
+}
+
 TEST(Mission, FollowsAPlanThatItHasWithoutTheServer) {
   const auto map = roomWith({});
   Source source;

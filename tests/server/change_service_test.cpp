@@ -60,6 +60,16 @@ TEST_F(ChangeServiceTest, addsMovesAndRemovesWithNewRevisionsAndCounts) {
   EXPECT_EQ(removed.world.hash, test::ourWorld("scenario3")->hash());
 }
 
+TEST_F(ChangeServiceTest, removesAllThatOneHasAddedTogether) {
+  ChangeClient asker = client();
+  ASSERT_TRUE(ask(asker, {{Kind::kAdd, "a.seen_1", kBox}, {Kind::kAdd, "b.seen_1", kAside}}).repaired);
+  const ChangeAnswer answer = ask(asker, {{Kind::kRemoveAll, "a."}});
+  ASSERT_TRUE(answer.repaired) << answer.repaired.error().message;
+  EXPECT_EQ(answer.world.revision, 4U);
+  EXPECT_TRUE(planner->checker()->world().obstacles().find("b.seen_1"));
+  EXPECT_FALSE(planner->checker()->world().obstacles().find("a.seen_1"));
+}
+
 TEST_F(ChangeServiceTest, makesAllChangesOrNone) {
   ChangeClient asker = client();
   const ChangeAnswer answer = ask(asker, {{Kind::kAdd, "box", kBox}, {Kind::kRemove, "chair"}});
@@ -214,7 +224,7 @@ TEST(ConvertChange, refusesWhatIsOutOfRangeUnread) {
   };
   EXPECT_EQ(messageWith([](auto&) {}), "taken");
   EXPECT_TRUE(messageWith([](auto& spoilt) {
-                std::memset(&spoilt.changes._buffer[0].kind, 3, 1);
+                std::memset(&spoilt.changes._buffer[0].kind, 4, 1);
               }).starts_with("changes[0]: kind"));
   EXPECT_TRUE(messageWith([](auto& spoilt) {
                 std::memset(spoilt.changes._buffer[0].obstacle, 'a', 256);
