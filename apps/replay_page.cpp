@@ -181,7 +181,7 @@ $('legend').replaceChildren(...[['tall', 'blocks every mode'], ['over', 'hangs o
   .map(([colour, text]) => { const key = document.createElement('div'), box = document.createElement('i'); key.className = 'key'; box.style.background = 'var(--' + colour + ')'; key.append(box, text); return key; }));
 $('when').max = ticks - 1; $('when').oninput = () => { setPlaying(false); show(+$('when').value); };
 $('play').onclick = () => setPlaying(!playing); $('speed').onchange = () => { since = null; };
-$('plots').onclick = e => { const s = (e.offsetX - from) / (plotWide - from - 14) * last; setPlaying(false); show(truth.tick.findIndex((_, i) => seconds(i) >= s)); };
+$('plots').onclick = e => { const s = (e.offsetX - from) / (plotWide - from - 14) * last; setPlaying(false); show(truth.tick.filter((_, i) => seconds(i) < s).length); };
 addEventListener('keydown', e => { if (e.target.tagName === 'SELECT') return;
   if (e.key === ' ') { e.preventDefault(); setPlaying(!playing); } else if (e.key === 'ArrowRight') show(now + 10); else if (e.key === 'ArrowLeft') show(now - 10); });
 addEventListener('resize', lay); matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => show(now));
