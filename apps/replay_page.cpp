@@ -130,7 +130,7 @@ function axis(top, bottom, most, unit, title) {
   h.font = '12px system-ui, sans-serif'; h.textAlign = 'right'; h.fillStyle = ink('dim'); h.strokeStyle = ink('line'); h.lineWidth = 1;
   for (const share of [0, .5, 1]) { const y = bottom - share * (bottom - top);
     h.beginPath(); h.moveTo(from, y); h.lineTo(plotWide - 14, y); h.stroke(); h.fillText(+(share * most).toPrecision(3) + ' ' + unit, from - 6, y + 4); }
-  h.textAlign = 'left'; h.fillText(title, from + 6, top - 5);
+  h.fillText(title, plotWide - 14, top - 5);
 }
 function curve(values, top, bottom, most, colour) {
   h.strokeStyle = colour; h.lineWidth = 1.5; h.beginPath();
