@@ -130,7 +130,7 @@ function axis(top, bottom, most, unit, title) {
   h.font = '12px system-ui, sans-serif'; h.textAlign = 'right'; h.fillStyle = ink('dim'); h.strokeStyle = ink('line'); h.lineWidth = 1;
   for (const share of [0, .5, 1]) { const y = bottom - share * (bottom - top);
     h.beginPath(); h.moveTo(from, y); h.lineTo(plotWide - 14, y); h.stroke(); h.fillText(+(share * most).toPrecision(3) + ' ' + unit, from - 6, y + 4); }
-  h.textAlign = 'left'; h.fillText(title, from + 6, top - 5);
+  h.fillText(title, plotWide - 14, top - 5);
 }
 function curve(values, top, bottom, most, colour) {
   h.strokeStyle = colour; h.lineWidth = 1.5; h.beginPath();
@@ -181,7 +181,7 @@ $('legend').replaceChildren(...[['tall', 'blocks every mode'], ['over', 'hangs o
   .map(([colour, text]) => { const key = document.createElement('div'), box = document.createElement('i'); key.className = 'key'; box.style.background = 'var(--' + colour + ')'; key.append(box, text); return key; }));
 $('when').max = ticks - 1; $('when').oninput = () => { setPlaying(false); show(+$('when').value); };
 $('play').onclick = () => setPlaying(!playing); $('speed').onchange = () => { since = null; };
-$('plots').onclick = e => { const s = (e.offsetX - from) / (plotWide - from - 14) * last; setPlaying(false); show(truth.tick.findIndex((_, i) => seconds(i) >= s)); };
+$('plots').onclick = e => { const s = (e.offsetX - from) / (plotWide - from - 14) * last; setPlaying(false); show(truth.tick.filter((_, i) => seconds(i) < s).length); };
 addEventListener('keydown', e => { if (e.target.tagName === 'SELECT') return;
   if (e.key === ' ') { e.preventDefault(); setPlaying(!playing); } else if (e.key === 'ArrowRight') show(now + 10); else if (e.key === 'ArrowLeft') show(now - 10); });
 addEventListener('resize', lay); matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => show(now));
