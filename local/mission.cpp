@@ -9,7 +9,8 @@
 namespace underway {
 namespace {
 
-constexpr int kMostRefusals = 3;  // of plans, with a fresh look between them
+constexpr int kMostRefusals = 3;    // of plans, with a fresh look between them
+constexpr int kMostFreshLooks = 3;  // that led to a plan: more is going to and fro between blocked ways
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
@@ -68,6 +69,7 @@ void Mission::ask(const Senses& senses) {
   auto plan = planFromHere();
   if (!plan) return refused(plan.error(), senses.now_s);
   ++plans_;
+  if (refusals_ > 0) ++fresh_looks_;
   refusals_ = 0;
   countInPlace();
   if (outcome_ == Outcome::kNoWay) return;
@@ -107,7 +109,8 @@ void Mission::refused(const Error& error, double now_s) {
     return;
   }
   again_s_ = now_s + kLookAgain_s;
-  if (++refusals_ >= kMostRefusals || plans_ == 0) outcome_ = Outcome::kNoWay;
+  if (++refusals_ >= kMostRefusals || plans_ == 0 || fresh_looks_ >= kMostFreshLooks)
+    outcome_ = Outcome::kNoWay;
 }
 
 std::shared_ptr<const World> Mission::worldWithSurprises(const World& base) const {

@@ -53,7 +53,8 @@ class Mission {
   std::string why_;
   int plans_ = 0;
   int refusals_ = 0;
-  int in_place_ = 0;  // plans asked for from one place
+  int fresh_looks_ = 0;  // that led to a plan
+  int in_place_ = 0;     // plans asked for from one place
   Point asked_at_;
   double again_s_ = 0.0;  // when to ask again
   double lost_s_ = 0.0;

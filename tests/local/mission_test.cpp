@@ -61,6 +61,24 @@ TEST(Mission, ReportsThatThereIsNoWayRound) {
   EXPECT_GT(dut.world()->obstacles().size(), 0U);  // what was seen is in the world
 }
 
+TEST(Mission, DoesNotGoToAndFroForEverBetweenTwoBlockedWays) {
+  const auto hallWith = [](std::vector<Obstacle> obstacles) {
+    obstacles.push_back({"block", {{6.0, 1.5, 0.4}, {8.0, 0.6, 0.8}, {}}});
+    return std::make_shared<const World>(*World::make("hall", {{0, 0, 0}, 12, 3}, 0.0, std::move(obstacles)));
+  };
+  const auto closing = [](const char* id, double y) {
+    return Obstacle{id, {{6.0, y, 0.4}, {0.3, 1.18, 0.8}, {}}};
+  };
+  Source source;
+  Mission dut(hallWith({}), test::nao(), test::requestFor({1.0, 1.5, 0.0}, {11.0, 1.5, 0.0}),
+              std::ref(source));
+  sim::SimulatedRobot body(hallWith({closing("south", 0.6), closing("north", 2.4)}), test::nao(),
+                           {1.0, 1.5, 0.0}, 0, 1);
+  EXPECT_EQ(drive(dut, body, 3000.0), Outcome::kNoWay);
+  EXPECT_LT(body.now_s(), 2000.0);
+  EXPECT_FALSE(body.truth().has_collided);
+}
+
 TEST(Mission, StandsStillWhileTheServerIsGoneAndAsksAgain) {
   const auto map = roomWith({});
   Source source;
