@@ -51,9 +51,10 @@ std::string leftOut(std::size_t goals, std::size_t tried) {
 
 }  // namespace
 
-/// The snapshot that answers now, and the growth behind it. Whoever grows holds `growing`; whoever makes a
-/// snapshot out of the last one holds `changing`; whoever reads or publishes it holds `published`, for no
-/// longer than a copy of its pointers takes.
+/// The snapshot that answers now, and the growth behind it. One hard question makes that grow on and on, and
+/// on a large roadmap every answer takes longer: so what is large is a reserve, for what the snapshot does
+/// not answer. Whoever grows holds `growing`; whoever makes a snapshot out of the last one holds `changing`;
+/// whoever reads or publishes it holds `published`, for no longer than a copy of its pointers takes.
 struct Planner::State {
   State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings s)
       : settings(s),
@@ -70,10 +71,17 @@ struct Planner::State {
   void publish(Snapshot next) {
     const std::lock_guard lock(published);
     snapshot = std::move(next);
+    reserve = {};
   }
 
-  /// Publishes the roadmap as grown, in the world as it is now. When interrupted it is left to who comes
-  /// next.
+  /// What has grown furthest in the world as it is now.
+  [[nodiscard]] Snapshot furthest() const {
+    const std::lock_guard lock(published);
+    return reserve.roadmap ? reserve : snapshot;
+  }
+
+  /// Publishes the roadmap as grown, in the world as it is now; one that has grown far beyond what covers the
+  /// floor becomes the reserve. When interrupted it is left to who comes next.
   void publishGrowth(Interrupt& interrupt) {
     auto grown = growth.freeze(interrupt);
     if (!grown) return;
@@ -84,7 +92,11 @@ struct Planner::State {
       Repair repair;
       roadmap = revalidated(*roadmap, before.planning->fastest, *before.planning->checker, repair);
     }
-    publish({before.planning, std::move(roadmap), nullptr});
+    Snapshot next{before.planning, std::move(roadmap), nullptr};
+    if (!before.roadmap || next.roadmap->batches <= kMostOfCover * growth.batchesToCover())
+      return publish(std::move(next));
+    const std::lock_guard reserving(published);
+    reserve = std::move(next);
   }
 
   Repair update(std::shared_ptr<const World> world) {
@@ -155,16 +167,20 @@ struct Planner::State {
     publishGrowth(interrupt);
   }
 
-  /// Something better than a roadmap that was not enough: what another thread has published meanwhile, or
-  /// this one grown by a fifth. Growth that the deadline cuts off goes on with the next query.
-  void growBeyond(const Roadmap& roadmap, Interrupt& interrupt) {
+  /// Something better than what was not enough: the world has changed, another query has made it grow
+  /// meanwhile or before, or now it grows by a fifth. Growth that the deadline cuts off goes on with the next
+  /// query.
+  Snapshot beyond(const Snapshot& tried, Interrupt& interrupt) {
     const auto lock = turnToGrow(interrupt);
-    if (!lock || current().roadmap->batches > roadmap.batches) return;
+    if (!lock) return tried;
+    if (const Snapshot now = current(); now.planning != tried.planning) return now;
+    if (Snapshot better = furthest(); better.roadmap->batches > tried.roadmap->batches) return better;
     followWorld();
-    const std::uint32_t wanted = roadmap.batches + 1 + roadmap.batches / 5;
+    const std::uint32_t wanted = tried.roadmap->batches + 1 + tried.roadmap->batches / 5;
     while (growth.batches() < wanted)
-      if (!growth.addBatch(interrupt)) return;
+      if (!growth.addBatch(interrupt)) return tried;
     publishGrowth(interrupt);
+    return furthest();
   }
 
   /// What grows next grows in the world as it is now.
@@ -173,11 +189,13 @@ struct Planner::State {
   }
 
   static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
+  static constexpr std::uint32_t kMostOfCover = 8;          // times the batches that cover the floor
 
   GrowthSettings settings;
   std::mutex changing;
   mutable std::mutex published;
   Snapshot snapshot;
+  Snapshot reserve;  // for what the snapshot does not answer; of the same world, or empty
   std::timed_mutex growing;
   Growth growth;
   std::atomic<double> build_ms = 0.0;
@@ -240,9 +258,8 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
   Answer last;
   bool may_be_proven = proving == Proving::kYes;
   bool is_second_try = false;
-  while (!interrupt.isDueNow()) {
-    const Snapshot now = state_->current();
-    if (!now.roadmap) break;
+  Snapshot now = state_->current();
+  while (now.roadmap && !interrupt.isDueNow()) {
     world = now.planning->checker;
     asked = admitted(*world, request);
     if (!asked) return tl::unexpected(asked.error());
@@ -258,12 +275,12 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
       // What was given up before its time is up cannot be proven; else there is one more try, later.
       may_be_proven = a_third.isDueNow() && !std::exchange(is_second_try, true);
     }
-    state_->growBeyond(*now.roadmap, interrupt);
+    now = state_->beyond(now, interrupt);
   }
   if (interrupt.isStopped())
     return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
   if (last.fault) return tl::unexpected(*last.fault);
-  return fail(ErrorCode::kTimeout, timeoutMessage(Clock::now() - started, roadmap().get(), last.nearest));
+  return fail(ErrorCode::kTimeout, timeoutMessage(Clock::now() - started, now.roadmap.get(), last.nearest));
 }
 
 }  // namespace underway

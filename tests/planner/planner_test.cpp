@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <thread>
 
 #include "planner/certify.hpp"
@@ -40,6 +41,29 @@ Plan soundPlan(Planner& dut, const Request& request) {
   for (const Flaw& flaw : certify(*plan, request, *dut.checker()))
     ADD_FAILURE() << "segment " << flaw.segment << " " << flaw.sentence;
   return *plan;
+}
+
+TEST(Planner, IsNotMadeSlowByAHardQuestion) {
+  const auto dut = plannerFor("too_narrow");
+  const Request easy = requestFor({0.8, 1.5, 0.0}, {1.7, 2.4, 0.0});
+  const Plan before = *dut->plan(easy, soon());
+  const auto hard = dut->findPlan(requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0}),
+                                  Planner::Clock::now() + std::chrono::milliseconds(500));
+  ASSERT_FALSE(hard);
+  EXPECT_EQ(hard.error().code, ErrorCode::kTimeout);
+  const Plan after = *dut->plan(easy, soon());
+  EXPECT_LE(after.stats.batches, 8 * std::max(1U, before.stats.batches));
+  EXPECT_EQ(after.stats.batches, dut->roadmap()->batches);
+  // What the hard question has grown is there for the next hard one: it goes on, and tells how far it came.
+  const auto batchesOf = [](const Error& error) {
+    const auto at = error.message.find("with ");
+    return std::stoul(error.message.substr(at + 5));
+  };
+  const auto again = dut->findPlan(requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0}),
+                                   Planner::Clock::now() + std::chrono::milliseconds(500));
+  ASSERT_FALSE(again);
+  EXPECT_GT(batchesOf(hard.error()), after.stats.batches);
+  EXPECT_GE(batchesOf(again.error()), batchesOf(hard.error()));
 }
 
 TEST(Planner, CrawlsOnlyUnderTheLowPlaceAndStandsUpAfterIt) {
