@@ -37,9 +37,10 @@ class Cycle {
     }
     now_ = *lying;
     writer_.write(0.0, now_);
-    moveTo(*ready, gait_.times.extension_s);                                                // M1
-    follow(gait_.times.push_s, [&](double s) { return pushPosture(crawler_, gait_, s * gait_.stroke); });  // M2
-    gait_.lying.lowering == Lowering::kSpread ? spread(*lying) : slide(*lying);             // M3
+    // M1, M2, M3.
+    moveTo(*ready, gait_.times.extension_s);
+    follow(gait_.times.push_s, [&](double s) { return pushPosture(crawler_, gait_, gait_.stroke * s); });
+    gait_.lying.lowering == Lowering::kSpread ? spread(*lying) : slide(*lying);
     return std::move(writer_).finish();
   }
 
