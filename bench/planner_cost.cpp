@@ -73,7 +73,27 @@ class Contest {
       ++costs.unanswered;
       return;
     }
+    if (request.policy == Policy::kPriority && isDetour(request, found))
+      return addDetour(request, *plan, costs);
     note(costRatio(robot(), request.policy, motionsOf(*plan), best(request, found)), costs);
+  }
+
+  /// Whether the oracle's way takes so long that priority would take the fastest in its place: it may shuffle
+  /// to and fro in a hundred turns rather than sidestep.
+  [[nodiscard]] bool isDetour(const Request& request, const Route& found) {
+    Request quick = request;
+    quick.policy = Policy::kFastest;
+    const auto fastest = planner_->plan(quick, Planner::Clock::now() + kDeadline);
+    const double takes_s = 1e-6 * static_cast<double>(totalCost(robot(), Policy::kFastest, found).us());
+    return fastest && takes_s >= request.max_detour * fastest->total_time_s;
+  }
+
+  /// Then the plan is held against the oracle's fastest way, by what priority compares.
+  void addDetour(const Request& request, const Plan& plan, Costs& costs) {
+    Request quick = request;
+    quick.policy = Policy::kFastest;
+    const Route fastest = oracle_.route(quick);
+    if (!fastest.empty()) note(costRatio(robot(), request.policy, motionsOf(plan), fastest), costs);
   }
 
   /// A plan that comes closer than it need is infinitely dear; else its time against the oracle's fastest
