@@ -6,6 +6,7 @@
 
 #include "bench/requests.hpp"
 #include "geometry/map.hpp"
+#include "local/low.hpp"
 
 namespace underway::bench {
 namespace {
@@ -74,9 +75,7 @@ class Intruder {
       if (id.starts_with(kUnmapped)) return true;
     return false;
   }
-  [[nodiscard]] bool isLying(const Motion& motion) const {
-    return robot_->modes[motion.mode].body_m.z.max < robot_->modes.front().body_m.z.max;
-  }
+  [[nodiscard]] bool isLying(const Motion& motion) const { return isLow(*robot_, motion.mode); }
 
   Course course_;
   const Plan& plan_;
@@ -147,7 +146,7 @@ Expected<Course> narrowCourse(const Robot& robot, ModeId id) {
   constexpr double kWall_m = 0.1;
   constexpr Range kX{2.45, 2.55};
   const Mode& mode = robot.modes.at(id);
-  const bool is_low = mode.body_m.z.max < robot.modes.front().body_m.z.max;
+  const bool is_low = isLow(robot, id);
   double drift_m = 0.0;
   if (const Switch* down = robot.findSwitch(0, id); is_low && down != nullptr)
     if (const Switch* up = robot.findSwitch(id, 0); up != nullptr) {

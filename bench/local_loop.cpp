@@ -36,18 +36,26 @@ std::shared_ptr<const World> withSoundMargins(const Course& course) {
   return std::make_shared<const World>(std::move(world));
 }
 
+double headingOff(const Request& request, const Pose& pose) {
+  return request.goal_yaw ? std::abs(normalizedAngle(pose.yaw - *request.goal_yaw)) : 0.0;
+}
+
 void judge(const Course& course, const sim::Truth& truth, LoopRun& run) {
   run.has_collided = truth.has_collided;
   run.is_disputed = truth.is_disputed;
   if (truth.has_collided) run.why = "touched " + truth.with;
   run.off_m = distance(truth.pose.position(), course.request.goal);
-  run.off_rad =
-      course.request.goal_yaw ? std::abs(normalizedAngle(truth.pose.yaw - *course.request.goal_yaw)) : 0.0;
-  run.has_arrived = run.outcome == Mission::Outcome::kArrived && run.off_m <= kArrival_m &&
-                    run.off_rad <= kArrival_rad && truth.mode == course.request.goal_mode;
+  run.off_rad = headingOff(course.request, truth.pose);
+  run.has_arrived =
+      run.outcome == Mission::Outcome::kArrived && isAtGoal(course.request, truth.pose, truth.mode);
 }
 
 }  // namespace
+
+bool isAtGoal(const Request& request, const Pose& pose, ModeId mode) {
+  return mode == request.goal_mode && distance(pose.position(), request.goal) <= kArrival_m &&
+         headingOff(request, pose) <= kArrival_rad;
+}
 
 LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner,
                     const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,

@@ -37,6 +37,9 @@ struct LoopRun {
   int plans = 0;
 };
 
+/// Whether a pose in a mode is the goal asked for, within 0.05 m and 5 degrees.
+[[nodiscard]] bool isAtGoal(const Request& request, const Pose& pose, ModeId mode);
+
 using WatchLoop = std::function<void(const sim::SimulatedRobot&, const Mission&, const Tick&)>;
 
 /// Drives a course: simulated robot, mission, and a planner in this process, whose world is set to what the

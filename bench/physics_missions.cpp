@@ -1,7 +1,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "bench/local_courses.hpp"
 #include "bench/physics_parts.hpp"
@@ -16,8 +15,6 @@ namespace {
 using namespace underway::physics;
 
 constexpr double kLimit_s = 900.0;  // simulated
-constexpr double kArrival_m = 0.05;
-constexpr double kArrival_rad = 5.0 * std::numbers::pi / 180.0;
 
 /// What of our maps needs a crawl and begins standing.
 std::vector<Course> crawlingCourses(const PhysicsRun& run, const Robot& robot) {
@@ -59,11 +56,8 @@ Ended drive(const PhysicsRun& run, const Course& course, const std::shared_ptr<c
     body.step(mission.tick(body.sense()).command);
   const PhysicalTruth& truth = body.truth();
   const double off_m = distance(truth.pose.position(), course.request.goal);
-  const double off_rad =
-      course.request.goal_yaw ? std::abs(normalizedAngle(truth.pose.yaw - *course.request.goal_yaw)) : 0.0;
   const bool has_arrived = mission.outcome() == Mission::Outcome::kArrived && truth.is_upright &&
-                           truth.mode == course.request.goal_mode && off_m <= kArrival_m &&
-                           off_rad <= kArrival_rad;
+                           isAtGoal(course.request, truth.pose, truth.mode);
   return {has_arrived, truth.touches, body.now_s(), off_m, body.sense().cycles};
 }
 

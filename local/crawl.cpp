@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "local/low.hpp"
+
 namespace underway {
 namespace {
 
@@ -17,11 +19,10 @@ CrawlSettings papersTrigger() {
 }
 
 Passage passageFrom(const Plan& plan, const Robot& robot, std::size_t down) {
-  const double standing_m = robot.modes.front().body_m.z.max;
   Passage passage{down, 0.0, kClearanceCap_m, 0.0, 0.0};
   for (std::size_t i = down; i < plan.segments.size(); ++i) {
     const Motion& motion = plan.segments[i].motion;
-    if (i > down && robot.modes[motion.mode].body_m.z.max >= standing_m) break;  // it has got up
+    if (i > down && !isLow(robot, motion.mode)) break;  // it has got up
     passage.slack_m = std::min(passage.slack_m, plan.segments[i].closeness.clearance_m);
     passage.length_m += length(motion);
   }

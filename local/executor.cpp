@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "local/low.hpp"
+
 namespace underway {
 
 Executor::Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings)
@@ -52,7 +54,7 @@ void Executor::believe(const Senses& senses) {
     crawled_ = 0;
   }
   const double tick = settings_.tick_s;
-  if (!isLow(mode_))
+  if (!isLow(*robot_, mode_))
     belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
   if (senses.cycles != cycles_) {
     const auto made = static_cast<int>(senses.cycles - cycles_);
@@ -63,7 +65,7 @@ void Executor::believe(const Senses& senses) {
   }
   stroke_s_ = is_stroke_ ? stroke_s_ + tick : 0.0;
   belief_.correct(senses);
-  const bool should_know = !isLow(mode_) && !senses.is_switching;
+  const bool should_know = !isLow(*robot_, mode_) && !senses.is_switching;
   silent_s_ = should_know && !senses.pose ? silent_s_ + tick : 0.0;
 }
 
@@ -73,17 +75,13 @@ const Segment* Executor::current() const {
   return segment_ < plan_.segments.size() ? &plan_.segments[segment_] : nullptr;
 }
 
-bool Executor::isLow(ModeId mode) const {
-  return robot_->modes[mode].body_m.z.max < robot_->modes.front().body_m.z.max;
-}
-
 Next Executor::next() const {
   const Segment* segment = current();
   if (segment == nullptr) return Next::kNothing;
   const Motion& motion = segment->motion;
-  if (motion.kind != MotionKind::kSwitch) return isLow(motion.mode) ? Next::kCrawl : Next::kMove;
-  if (isLow(motion.mode) == isLow(motion.to_mode)) return Next::kMove;
-  return isLow(motion.to_mode) ? Next::kDown : Next::kUp;
+  if (motion.kind != MotionKind::kSwitch) return isLow(*robot_, motion.mode) ? Next::kCrawl : Next::kMove;
+  if (isLow(*robot_, motion.mode) == isLow(*robot_, motion.to_mode)) return Next::kMove;
+  return isLow(*robot_, motion.to_mode) ? Next::kDown : Next::kUp;
 }
 
 void Executor::beginSegment() {
@@ -99,7 +97,8 @@ void Executor::beginSegment() {
 bool Executor::isDone(const Segment& segment, const Senses& senses) const {
   const Motion& motion = segment.motion;
   if (motion.kind == MotionKind::kSwitch) return !senses.is_switching && senses.mode == motion.to_mode;
-  if (!isLow(motion.mode)) return state_ == State::kWalking && follow_.isDone(segment, belief_.pose());
+  if (!isLow(*robot_, motion.mode))
+    return state_ == State::kWalking && follow_.isDone(segment, belief_.pose());
   if (const auto& fixed = settings_.crawl.fixed) return !is_stroke_ && crawled_ >= fixed->cycles;
   constexpr double kShort_m = 0.02;  // a stroke shorter than this is not worth it
   return !is_stroke_ && onLane(motion, belief_.pose()).along_m > length(motion) - kShort_m;
@@ -150,7 +149,7 @@ bool Executor::isBlocked() {
   const Motion& motion = segment->motion;
   if (motion.kind == MotionKind::kTurn) return surroundings_.isTurnBlocked(belief_.pose());
   if (motion.kind == MotionKind::kSwitch) return isPassageBlocked();
-  if (isLow(motion.mode)) return false;
+  if (isLow(*robot_, motion.mode)) return false;
   const double along = onLane(motion, belief_.pose()).along_m;
   const auto shift = surroundings_.shiftAround(motion, along, follow_.allowance());
   shift_m_ = shift.value_or(0.0);

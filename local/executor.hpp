@@ -79,7 +79,6 @@ class Executor {
   [[nodiscard]] bool isDone(const Segment& segment, const Senses& senses) const;
   void beginSegment();
   [[nodiscard]] Next next() const;
-  [[nodiscard]] bool isLow(ModeId mode) const;
   [[nodiscard]] const Segment* current() const;
   void watchProgress();
 

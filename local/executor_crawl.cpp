@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "local/executor.hpp"
+#include "local/low.hpp"
 
 namespace underway {
 
@@ -20,7 +21,7 @@ bool Executor::isPassageBlocked() const {
       const Switch* up = robot_->findSwitch(motion.mode, motion.to_mode);
       return up != nullptr && surroundings_.isBoxBlocked(up->body_m, motion.from);
     }
-    if (isLow(motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
+    if (isLow(*robot_, motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
   }
   return false;
 }

@@ -22,17 +22,17 @@ void GaitRunner::begin(const Command& command, double heading_rad) {
   at_s_ = 0.0;
   if (command.change_to && *command.change_to != mode_) return changeTo(*command.change_to, heading_rad);
   const double top = robot_->modes[mode_].speed(Sense::kForward);
-  if (!isLow(mode_) || command.velocity.x_mps <= 0.0 || top <= 0.0) return;
+  if (!isLow(*robot_, mode_) || command.velocity.x_mps <= 0.0 || top <= 0.0) return;
   motion_ = player_.cycle(heading_rad, command.velocity.x_mps / top);
 }
 
 void GaitRunner::changeTo(ModeId to, double heading_rad) {
   if (robot_->findSwitch(mode_, to) == nullptr) return;  // it cannot: nothing happens
   to_ = to;
-  if (isLow(to) == isLow(mode_))
+  if (isLow(*robot_, to) == isLow(*robot_, mode_))
     mode_ = to;  // one gait of the walking engine or another
   else
-    motion_ = isLow(to) ? player_.down(heading_rad) : player_.up();
+    motion_ = isLow(*robot_, to) ? player_.down(heading_rad) : player_.up();
 }
 
 void GaitRunner::finish() {
@@ -41,10 +41,6 @@ void GaitRunner::finish() {
   else
     ++cycles_;
   motion_.reset();
-}
-
-bool GaitRunner::isLow(ModeId mode) const {
-  return robot_->modes[mode].body_m.z.max < robot_->modes.front().body_m.z.max;
 }
 
 CrawlSettings crawlSettingsOf(const gait::CrawlPlayer& player) {

@@ -8,6 +8,7 @@
 #include "geometry/robot.hpp"
 #include "local/command.hpp"
 #include "local/crawl.hpp"
+#include "local/low.hpp"
 
 namespace underway {
 
@@ -30,7 +31,7 @@ class GaitRunner {
   [[nodiscard]] ModeId mode() const { return mode_; }
   [[nodiscard]] bool isSwitching() const { return motion_ && mode_ != to_; }
   /// It walks, if it is told to.
-  [[nodiscard]] bool isWalking() const { return !motion_ && !isLow(mode_); }
+  [[nodiscard]] bool isWalking() const { return !motion_ && !isLow(*robot_, mode_); }
   /// Completed so far.
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
@@ -38,7 +39,6 @@ class GaitRunner {
   void begin(const Command& command, double heading_rad);
   void changeTo(ModeId to, double heading_rad);
   void finish();
-  [[nodiscard]] bool isLow(ModeId mode) const;
 
   std::shared_ptr<const Robot> robot_;
   gait::CrawlPlayer player_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/checker.hpp"
+#include "local/low.hpp"
 #include "local/seen_from.hpp"
 #include "local/window.hpp"
 
@@ -46,10 +47,6 @@ void addBeyondEnds(std::span<const Point> seen, std::vector<Point>& points) {
     for (const double beyond : {Window::kCell_m, 2.0 * Window::kCell_m})
       points.push_back({p.x - beyond * sum.x / size, p.y - beyond * sum.y / size});
   }
-}
-
-bool isLow(const Robot& robot, ModeId mode) {
-  return robot.modes[mode].body_m.z.max < robot.modes.front().body_m.z.max;
 }
 
 }  // namespace

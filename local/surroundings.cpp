@@ -6,6 +6,7 @@
 
 #include "geometry/sweep.hpp"
 #include "local/lane.hpp"
+#include "local/low.hpp"
 #include "local/seen_from.hpp"
 
 namespace underway {
@@ -76,7 +77,7 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   against_all_.clear();
   window_.slideTo(from.position());
   ++turn_;
-  const bool is_lying = robot_->modes[senses.mode].body_m.z.max < robot_->modes.front().body_m.z.max;
+  const bool is_lying = isLow(*robot_, senses.mode);
   if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
   if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
   if (senses.scan != nullptr) against_all_.look(*senses.scan);

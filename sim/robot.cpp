@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "local/low.hpp"
+
 namespace underway::sim {
 namespace {
 
@@ -29,8 +31,7 @@ SimulatedRobot::SimulatedRobot(std::shared_ptr<const World> truth, std::shared_p
 }
 
 bool SimulatedRobot::isLying() const {
-  return robot_->modes[truth_.mode].body_m.z.max < robot_->modes.front().body_m.z.max ||
-         switching_ != nullptr || has_fallen_;
+  return isLow(*robot_, truth_.mode) || switching_ != nullptr || has_fallen_;
 }
 
 const Senses& SimulatedRobot::sense() {

@@ -7,6 +7,9 @@
 
 #include "local/godzila/heading.hpp"
 
+// Nothing here, nor in what it includes, is of Eigen, FCL or OMPL: their alignment must not depend on the
+// processor that a function is made for.
+//
 // Made for a plain processor and for one that takes four numbers at once; which, is told when the program is
 // loaded. The thread sanitizer cannot be asked so early.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__)

@@ -55,7 +55,7 @@ const Senses& PhysicalRobot::sense() {
   senses_.is_switching = runner_.isSwitching();
   senses_.cycles = runner_.cycles();
   senses_.has_fallen = !truth_.is_upright;
-  const bool is_lying = runner_.isSwitching() || !robot_->modes[runner_.mode()].canTurn();
+  const bool is_lying = runner_.isSwitching() || isLow(*robot_, runner_.mode());
   sensors_.sense({.now_s = now_s(),
                   .pose = truth_.pose,
                   .is_upright = !is_lying,
@@ -87,7 +87,7 @@ void PhysicalRobot::walk(const Velocity& velocity) {
 
 void PhysicalRobot::observe() {
   const Sample now = simulation_.now();
-  const bool is_low = !robot_->modes[runner_.mode()].canTurn();
+  const bool is_low = isLow(*robot_, runner_.mode());
   truth_.pose = is_low ? now.lying : now.standing;
   truth_.mode = runner_.mode();
   const double pitch_rad = is_low ? 0.5 * std::numbers::pi : 0.0;

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
-#include "geometry/map.hpp"
+#include "tests/planner/fixture.hpp"
 
 namespace underway {
 namespace {
@@ -14,11 +12,7 @@ constexpr ModeId kLateral = 1;
 constexpr ModeId kCrawl = 2;
 constexpr double kTick_s = 0.1;
 
-std::shared_ptr<const Robot> nao() {
-  auto robot = readRobot(UNDERWAY_SOURCE_DIR "/robots/nao.yaml");
-  if (!robot) throw std::runtime_error(robot.error().message);
-  return std::make_shared<const Robot>(std::move(*robot));
-}
+using test::nao;
 
 GaitRunner runnerIn(ModeId mode) {
   return {nao(), gait::CrawlPlayer::make(gait::naoCrawler(), gait::cruiseGait()).value(), mode};

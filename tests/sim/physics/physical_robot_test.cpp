@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
-#include "geometry/map.hpp"
 #include "local/mission.hpp"
 #include "planner/planner.hpp"
+#include "tests/planner/fixture.hpp"
 #include "tests/sim/physics/nao_simulation.hpp"
 
 namespace underway::physics {
@@ -15,18 +14,12 @@ namespace {
 
 constexpr ModeId kCrawl = 2;
 
-std::shared_ptr<const Robot> robotFile() {
-  auto robot = readRobot(UNDERWAY_SOURCE_DIR "/robots/nao.yaml");
-  if (!robot) throw std::runtime_error(robot.error().message);
-  return std::make_shared<const Robot>(std::move(*robot));
-}
-
 World roomWith(std::vector<Obstacle> obstacles) {
   return *World::make("room", {{0.0, 0.0, 0.0}, 4.0, 2.0}, 0.0, std::move(obstacles));
 }
 
 PhysicalRobot standingIn(const World& world, const Pose& start) {
-  return PhysicalRobot::make(kRobot, world, robotFile(), start, gait::cruiseGait(), conditionsOf(9)).value();
+  return PhysicalRobot::make(kRobot, world, test::nao(), start, gait::cruiseGait(), conditionsOf(9)).value();
 }
 
 TEST(PhysicalRobot, WalksWhereItIsToldOnItsFeet) {
@@ -67,7 +60,7 @@ TEST(PhysicalRobot, TellsFromItsSensesWhatItsGaitDoes) {
 TEST(ExecutorInPhysics, CrawlsUnderATableAndGoesOn) {
   const auto world =
       std::make_shared<const World>(roomWith({{"table", {{2.0, 1.0, 0.35}, {0.2, 2.0, 0.1}, {}}}}));
-  const auto robot = robotFile();
+  const auto robot = test::nao();
   Planner planner(world, robot);
   const auto source = [&](const Request& request, const std::shared_ptr<const World>&) {
     return planner.plan(request, Planner::Clock::now() + std::chrono::seconds(5));

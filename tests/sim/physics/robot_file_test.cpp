@@ -4,20 +4,14 @@
 
 #include <stdexcept>
 
-#include "geometry/map.hpp"
 #include "sim/physics/journey.hpp"
+#include "tests/planner/fixture.hpp"
 #include "tests/sim/physics/nao_simulation.hpp"
 
 namespace underway::physics {
 namespace {
 
 constexpr std::array<std::uint64_t, 2> kSeeds{0, 19};  // the smoothest floor and the roughest
-
-Robot robotFile() {
-  const auto robot = readRobot(UNDERWAY_SOURCE_DIR "/robots/nao.yaml");
-  if (!robot) throw std::runtime_error(robot.error().message);
-  return *robot;
-}
 
 const Switch& switchOf(const Robot& robot, const char* from, const char* to) {
   for (const Switch& change : robot.switches)
@@ -44,7 +38,7 @@ void expectAround(double of_file, double one, double other, double room) {
 }
 
 TEST(NaoFileInPhysics, SwitchesTakeTheRoomAndTheTimeThatTheFileSays) {
-  const Robot robot = robotFile();
+  const Robot& robot = *test::nao();
   const Switch& down = switchOf(robot, "frontal", "crawl");
   const Switch& up = switchOf(robot, "crawl", "frontal");
   std::vector<Journey> journeys;
