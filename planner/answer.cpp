@@ -124,15 +124,22 @@ class Answerer {
     return passage;
   }
 
-  /// `similar`: found by another policy. Where both take the same way over the roadmap, what was
-  /// shortened there is only polished.
-  std::optional<Found> find(const Stances& stances, const Found* similar = nullptr) {
-    auto on_roadmap = passageBy(stances);
+  /// A way over the roadmap that takes less time than another policy's.
+  std::optional<Passage> quickerThan(const Passage& other, const Stances& stances) {
+    return search(graph_, stances, checker_.robot(), checks_, target_, interrupt_, nullptr,
+                  Cost::time(other.cost.us()));
+  }
+
+  /// `by_priority`: found before. Where there is no quicker way over the roadmap, what was shortened there is
+  /// only polished.
+  std::optional<Found> find(const Stances& stances, const Found* by_priority = nullptr) {
+    auto on_roadmap = by_priority ? quickerThan(by_priority->on_roadmap, stances) : passageBy(stances);
+    const bool is_same = !on_roadmap && by_priority;
+    if (is_same) on_roadmap = by_priority->on_roadmap;
     if (!on_roadmap) return std::nullopt;
-    const bool is_same = similar && areSameWay(*on_roadmap, similar->on_roadmap);
     const Target::Goal& goal = target_.goals[on_roadmap->goal];
     const Keeping keeping{graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
-    Passage shortest = is_same ? polished(checker_, stances, similar->shortest, keeping, interrupt_)
+    Passage shortest = is_same ? polished(checker_, stances, by_priority->shortest, keeping, interrupt_)
                                : shortened(checker_, stances, *on_roadmap, keeping, interrupt_);
     if (interrupt_.isDueNow()) return std::nullopt;
     const Route route = routeOf(shortest);
@@ -140,14 +147,6 @@ class Answerer {
         planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
     plan.goal_index = goal.index;
     return Found{std::move(*on_roadmap), std::move(shortest), std::move(plan)};
-  }
-
-  static bool areSameWay(const Passage& a, const Passage& b) {
-    return a.goal == b.goal && std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
-                                          [](const Passage::Step& x, const Passage::Step& y) {
-                                            return x.option.in == y.option.in &&
-                                                   x.option.out == y.option.out && x.way == y.way;
-                                          });
   }
 
   /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.

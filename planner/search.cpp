@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "planner/guide.hpp"
+#include "planner/rivals.hpp"
 #include "planner/state_table.hpp"
 
 namespace underway {
@@ -26,7 +27,7 @@ struct Open {
 class Search {
  public:
   Search(const Draft& graph, const Stances& stances, const Robot& robot, LinkChecks& checks,
-         const Target& target, Interrupt& interrupt)
+         const Target& target, Cost below, Interrupt& interrupt)
       : graph_(graph),
         stances_(stances),
         robot_(robot),
@@ -37,7 +38,8 @@ class Search {
         stride_(static_cast<StateId>(stances.mostWays())),
         states_(tableOfThisThread()),
         end_(1 + graph.linkCount() * stride_),
-        left_last_(graph.placeCount(), Roadmap::kNone),
+        best_(below),
+        rivals_(graph.placeCount(), states_),
         nearest_m_(toGoal(graph.place(target.start).at)),
         nearest_(0) {}
 
@@ -48,12 +50,12 @@ class Search {
       const StateId here = open_.front().state;
       std::pop_heap(open_.begin(), open_.end());
       open_.pop_back();
-      if (states_[here].is_settled) continue;
+      if (states_[here].is_settled || states_[here].is_surpassed) continue;
       states_[here].is_settled = 1;
       if (here >= end_) return passageTo(here);
-      if (!isFree(here)) continue;
+      if (!hasCompeted(here) && (!isFree(here) || isSurpassed(here))) continue;
       notice(here);
-      if (!isSurpassed(here)) leave(here);
+      leave(here);
     }
     return std::nullopt;
   }
@@ -96,10 +98,14 @@ class Search {
     return {crossing.exit().yaw, crossing.exitMode()};
   }
 
+  [[nodiscard]] bool isSureToBeFree(LinkId link) const {
+    return graph_.isChecked(link) && stances_.atLeast() <= robot_.margin_m;
+  }
+
   [[nodiscard]] bool isFree(StateId state) {
     if (state == 0) return true;
     const LinkId link = linkOf(state);
-    if (graph_.isChecked(link) && stances_.atLeast() <= robot_.margin_m) return true;
+    if (isSureToBeFree(link)) return true;
     return checks_.isFree(link, wayOf(state), legsAt(graph_.link(link).from));
   }
 
@@ -126,36 +132,37 @@ class Search {
     if (cost + left >= best_) return;
     at.cost = cost;
     at.parent = parent;
+    at.is_surpassed = 0;
     open_.push_back({cost + left, state});
     std::push_heap(open_.begin(), open_.end());
   }
 
-  /// Whether another state at the same place can change into this one and still cost no more: then all that
-  /// can be reached from here has been reached from there.
+  /// Where all changes are free, and their cost is all that matters.
+  [[nodiscard]] bool changeFreely(PlaceId place) const {
+    return turnsFreely(place) && legsAt(place).areAlike();
+  }
+
+  /// Whether a state has competed with those at its place when it was arrived at: it is sure to be free.
+  [[nodiscard]] bool hasCompeted(StateId state) const {
+    return state != 0 && isSureToBeFree(linkOf(state)) && changeFreely(placeOf(state));
+  }
+
+  /// Whether another state at the same place surpasses one that has come up; else it is among them.
   bool isSurpassed(StateId here) {
     const PlaceId place = placeOf(here);
     const Stance stance = stanceOf(here);
     const Legs& legs = legsAt(place);
     // Where switches need room, what can be reached by way of this stance may not be in one change.
     if (!legs.areAlike()) return false;
-    for (StateId other = left_last_[place]; other != Roadmap::kNone; other = states_[other].left_before) {
-      const Stance from = stanceOf(other);
-      if (states_[other].cost > states_[here].cost) continue;
-      const Cost spare = states_[here].cost - states_[other].cost;
-      if (legs.changeCost(from, stance) <= spare && freeChange(other, place, legs, from, stance) <= spare)
-        return true;
-    }
-    states_[here].left_before = left_last_[place];
-    left_last_[place] = here;
-    return false;
-  }
-
-  /// The same of a stance that is to be come to, at a place where all turn freely, by states that have been
-  /// left.
-  bool isSurpassed(StateId last_left, const Legs& legs, const Stance& stance, Cost cost) {
-    for (StateId other = last_left; other != Roadmap::kNone; other = states_[other].left_before)
-      if (states_[other].cost + legs.changeCost(stanceOf(other), stance) <= cost) return true;
-    return false;
+    const Cost cost = states_[here].cost;
+    if (turnsFreely(place)) return !rivals_.compete(place, legs, here, stance, cost);
+    const bool is_surpassed = rivals_.anyAt(place, [&](StateId other, const Stance& from) {
+      const Cost its = states_[other].cost;
+      return its + legs.changeCost(from, stance) <= cost &&
+             its + freeChange(other, place, legs, from, stance) <= cost;
+    });
+    if (!is_surpassed) rivals_.add(place, here, stance);
+    return is_surpassed;
   }
 
   void leave(StateId here) {
@@ -192,19 +199,16 @@ class Search {
     const Crossing& crossing = graph_.crossing(graph_.link(id));
     const Cost changed =
         freeChange(here, place, legsAt(place), stance, {crossing.entry().yaw, crossing.entryMode()});
-    if (changed != Cost::most())
-      arrive(state, here, states_[here].cost + changed + crossing.cost(stances_.policy()), left);
+    if (changed == Cost::most()) return;
+    const Cost sum = states_[here].cost + changed + crossing.cost(stances_.policy());
+    arriveBy(id, state, here, {crossing.exit().yaw, crossing.exitMode()}, sum, left);
   }
 
-  /// By all ways of a link, as far as what was left at its end before does not serve as well.
+  /// By all ways of a link.
   void walk(StateId here, PlaceId place, const Stance& stance, LinkId id, Roadmap::Ways ways) {
     const Roadmap::Link& link = graph_.link(id);
     const Legs& legs = legsAt(place);
     const Cost cost = states_[here].cost;
-    const StateId known = turnsFreely(link.to) && legs.areAlike() ? left_last_[link.to] : Roadmap::kNone;
-    if (known != Roadmap::kNone &&
-        cost + legs.cheapestLeg(ways, link.length_m) >= states_[known].cost + legs.dearestChange())
-      return;
     const Cost left = guide_.from(link.to);
     if (left == Cost::most()) return;
     for (std::size_t way = 0; ways >> way != 0; ++way) {
@@ -212,13 +216,21 @@ class Search {
       const StateId state = stateOf(id, way);
       if (states_[state].is_settled != 0) continue;
       const Cost sum = cost + legs.legCost(legs.ways()[way], link.length_m);
-      if (sum >= states_[state].cost) continue;
+      if (sum >= states_[state].cost || sum + left >= best_) continue;
       const Stance to = legs.stanceOn(link.direction_rad, way);
       const Cost changed = freeChange(here, place, legs, stance, to);
-      if (changed == Cost::most()) continue;
-      if (known != Roadmap::kNone && isSurpassed(known, legs, to, sum + changed)) continue;
-      arrive(state, here, sum + changed, left);
+      if (changed != Cost::most()) arriveBy(id, state, here, to, sum + changed, left);
     }
+  }
+
+  /// Arrives by a link, unless another state at its end is known to surpass this one.
+  void arriveBy(LinkId id, StateId state, StateId parent, const Stance& stance, Cost cost, Cost left) {
+    if (cost >= states_[state].cost || cost + left >= best_) return;
+    const PlaceId place = graph_.link(id).to;
+    if (isSureToBeFree(id) && changeFreely(place) &&
+        !rivals_.compete(place, legsAt(place), state, stance, cost))
+      return;
+    arrive(state, parent, cost, left);
   }
 
   /// Of a change from a state's stance to another, Cost::most() if it is not free.
@@ -315,10 +327,10 @@ class Search {
   Interrupt& interrupt_;
   Guide guide_;
   StateId stride_;
-  StateTable& states_;              // the start, each way of each link, an end for each goal
-  StateId end_;                     // the first one
-  Cost best_ = Cost::most();        // at any of them
-  std::vector<StateId> left_last_;  // of each place
+  StateTable& states_;  // the start, each way of each link, an end for each goal
+  StateId end_;         // the first one
+  Cost best_;           // at any of them
+  Rivals rivals_;
   std::vector<TurningRoom> rooms_;
   std::vector<Open> open_;  // a heap
   double nearest_m_;
@@ -350,8 +362,9 @@ bool LinkChecks::isFree(Roadmap::LinkId id, std::size_t way, const Legs& legs) {
 }
 
 std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,
-                              LinkChecks& checks, const Target& target, Interrupt& interrupt, Pose* nearest) {
-  Search search(graph, stances, robot, checks, target, interrupt);
+                              LinkChecks& checks, const Target& target, Interrupt& interrupt, Pose* nearest,
+                              Cost below) {
+  Search search(graph, stances, robot, checks, target, below, interrupt);
   auto passage = search.cheapest();
   if (!passage && nearest) *nearest = search.nearest();
   return passage;

@@ -46,11 +46,11 @@ class LinkChecks {
 };
 
 /// The cheapest way to any of the goals, by A* under the policy of `stances` with the Guide as its bound;
-/// empty when there is none or it was interrupted. Links that are not checked yet are checked when they come
-/// up first in the queue, so that few need to be. `nearest`, if given, is set to the pose nearest the goal
-/// that was reached.
+/// empty when there is none that costs less than `below`, or it was interrupted. Links that are not checked
+/// yet are checked when they come up first in the queue, so that few need to be. `nearest`, if given, is set
+/// to the pose nearest the goal that was reached.
 [[nodiscard]] std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,
                                             LinkChecks& checks, const Target& target, Interrupt& interrupt,
-                                            Pose* nearest = nullptr);
+                                            Pose* nearest = nullptr, Cost below = Cost::most());
 
 }  // namespace underway

@@ -129,6 +129,16 @@ class Shortening {
   Passage passage_;
 };
 
+/// A passage that another policy has made, with this one's legs and costs. That of the whole is left to who
+/// improves it.
+Passage measuredBy(const Checker& checker, const Stances& stances, Passage passage) {
+  for (Passage::Step& step : passage.steps) {
+    if (step.legs) step.legs = &stances.ofMode(step.arriving.mode);
+    step.option.cost = costOf(checker.robot(), stances.policy(), step.option.motions);
+  }
+  return passage;
+}
+
 }  // namespace
 
 Passage shortened(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
@@ -138,7 +148,8 @@ Passage shortened(const Checker& checker, const Stances& stances, Passage passag
 
 Passage polished(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
                  Interrupt& interrupt) {
-  return Shortening(checker, stances, std::move(passage), keeping).polished(interrupt);
+  return Shortening(checker, stances, measuredBy(checker, stances, std::move(passage)), keeping)
+      .polished(interrupt);
 }
 
 }  // namespace underway

@@ -15,10 +15,10 @@ inline constexpr std::uint32_t kNoState = 0xffffffff;
 struct SearchState {
   Cost cost = Cost::most();
   std::uint32_t parent = kNoState;
-  std::uint32_t left_before = kNoState;  // the state that was left before it at the same place
-  std::uint32_t room = kNoState;         // how far it can turn, if that is known
-  std::uint32_t search : 31 = 0;         // the search that wrote this: what another one did counts as nothing
-  std::uint32_t is_settled : 1 = 0;
+  std::uint32_t room = kNoState;  // how far it can turn, if that is known
+  std::uint32_t search = 0;       // the search that wrote this: what another one did counts as nothing
+  std::uint16_t is_settled = 0;
+  std::uint16_t is_surpassed = 0;
 };
 
 /// The states of a thread's searches, one after the other: to clear them each time would take longer than
@@ -30,8 +30,7 @@ class StateTable {
   /// Forgets what was there.
   void begin(std::size_t count) {
     if (states_.size() < count) states_.resize(count);
-    search_ = (search_ + 1) & 0x7fffffff;
-    if (search_ == 0) std::fill(states_.begin(), states_.end(), SearchState()), search_ = 1;
+    if (++search_ == 0) std::fill(states_.begin(), states_.end(), SearchState()), search_ = 1;
   }
   SearchState& operator[](Id id) {
     SearchState& state = states_[id];
@@ -44,7 +43,7 @@ class StateTable {
 
  private:
   std::vector<SearchState> states_;
-  std::uint32_t search_ : 31 = 0;
+  std::uint32_t search_ = 0;
 };
 
 }  // namespace underway
