@@ -67,7 +67,7 @@ class Answerer {
     Plan plan = fastest->plan;
     if (by_priority) takeIfBetter(plan, by_priority->plan);
     if (is_priority) return isDetour(plan, fastest->plan) ? fastest->plan : plan;
-    if (request_.policy == Policy::kSafest) takeSafer(plan);
+    if (request_.policy == Policy::kSafest) takeSafer(plan, *fastest);
     if (interrupt_.isDueNow()) return std::nullopt;
     return plan;
   }
@@ -110,11 +110,53 @@ class Answerer {
     if (isBetter(checker_.robot(), request_.policy, other, plan)) plan = other;
   }
 
-  void takeSafer(Plan& plan) {
-    const double clearance = largestClearance();
-    if (clearance <= checker_.robot().margin_m) return;
-    if (const auto safest = find(Stances(checker_, Policy::kFastest, clearance)))
-      takeIfBetter(plan, safest->plan);
+  /// The roadmap says which ways have room; how much, beside its own places, widening finds out. So the
+  /// quickest way may serve as well as one that the roadmap knows to be wide.
+  void takeSafer(Plan& plan, const Found& fastest) {
+    const double most_m = mostClearance();
+    if (leastClearance(plan) >= most_m) return;
+    if (const double clearance = largestClearance(most_m); clearance > checker_.robot().margin_m)
+      if (const auto widest = find(Stances(checker_, Policy::kFastest, clearance))) {
+        takeIfBetter(plan, widest->plan);
+        takeWidened(plan, *widest, most_m);
+      }
+    takeWidened(plan, fastest, most_m);
+  }
+
+  /// What is found beside a way, with as much clearance as the plan has or more.
+  void takeWidened(Plan& plan, const Found& beside, double most_m) {
+    double has_m = leastClearance(plan);
+    std::optional<Passage> widest;
+    Passage passage = beside.shortest;
+    for (double more_m = most_m - has_m; !interrupt_.isDueNow();) {
+      const Stances stances(checker_, Policy::kFastest, has_m + more_m);
+      if (auto wider = widened(checker_, stances, passage, keepingTo(passage), interrupt_)) {
+        passage = *wider;
+        widest = std::move(wider);
+        has_m += more_m;
+        more_m = std::min(more_m, most_m - has_m);
+        if (more_m <= 0.0) break;
+      } else {
+        if (more_m <= 0.0) break;
+        more_m = more_m > kClearanceStep_m ? 0.5 * more_m : 0.0;
+      }
+    }
+    if (!widest) return;
+    const Stances stances(checker_, Policy::kFastest, has_m);
+    Passage shortest = shortened(checker_, stances, *widest, keepingTo(*widest), interrupt_);
+    if (auto found = foundOn(*std::move(widest), std::move(shortest))) takeIfBetter(plan, found->plan);
+  }
+
+  /// The most that a plan can have: what the start and the best goal have, up to the enough.
+  [[nodiscard]] double mostClearance() const {
+    const auto most_at = [&](const Roadmap::Place& place, const Stance& stance) {
+      return checker_.clearance(stay(stance.mode, {place.at.x, place.at.y, stance.yaw}), kEnoughClearance_m);
+    };
+    double at_goal_m = 0.0;
+    for (const Target::Goal& goal : target_.goals)
+      at_goal_m = std::max(
+          at_goal_m, goal.any_heading ? kEnoughClearance_m : most_at(graph_.place(goal.place), goal.stance));
+    return std::min(at_goal_m, most_at(graph_.place(target_.start), target_.start_stance));
   }
 
   std::optional<Passage> passageBy(const Stances& stances) {
@@ -137,25 +179,33 @@ class Answerer {
     const bool is_same = !on_roadmap && by_priority;
     if (is_same) on_roadmap = by_priority->on_roadmap;
     if (!on_roadmap) return std::nullopt;
-    const Target::Goal& goal = target_.goals[on_roadmap->goal];
-    const Keeping keeping{graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
+    const Keeping keeping = keepingTo(*on_roadmap);
     Passage shortest = is_same ? polished(checker_, stances, by_priority->shortest, keeping, interrupt_)
                                : shortened(checker_, stances, *on_roadmap, keeping, interrupt_);
+    return foundOn(*std::move(on_roadmap), std::move(shortest));
+  }
+
+  [[nodiscard]] Keeping keepingTo(const Passage& passage) const {
+    const Target::Goal& goal = target_.goals[passage.goal];
+    return {graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
+  }
+
+  std::optional<Found> foundOn(Passage on_roadmap, Passage shortest) {
     if (interrupt_.isDueNow()) return std::nullopt;
     const Route route = routeOf(shortest);
     Plan plan =
-        planOf(checker_, joined(checker_, route.empty() ? routeOf(*on_roadmap) : route), request_.start);
-    plan.goal_index = goal.index;
-    return Found{std::move(*on_roadmap), std::move(shortest), std::move(plan)};
+        planOf(checker_, joined(checker_, route.empty() ? routeOf(on_roadmap) : route), request_.start);
+    plan.goal_index = target_.goals[on_roadmap.goal].index;
+    return Found{std::move(on_roadmap), std::move(shortest), std::move(plan)};
   }
 
-  /// The largest clearance that any route keeps, up to the enough, to kClearanceStep_m.
-  double largestClearance() {
+  /// The largest clearance that any way over the roadmap keeps, up to the most, to kClearanceStep_m.
+  double largestClearance(double most_m) {
     const auto is_kept = [&](double clearance_m) {
       return passageBy(Stances(checker_, Policy::kFastest, clearance_m)).has_value();
     };
     double has = checker_.robot().margin_m;
-    double lacks = kEnoughClearance_m;
+    double lacks = most_m;
     if (has >= lacks || is_kept(lacks)) return lacks;
     while (lacks - has > kClearanceStep_m && !interrupt_.isDueNow()) {
       const double middle = 0.5 * (has + lacks);

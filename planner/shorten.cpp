@@ -15,6 +15,7 @@ namespace {
 /// By how much stops and crossings are moved, round by round. Coarse rounds also look through a corridor.
 constexpr std::array kCoarse_m{0.4, 0.2, 0.08};
 constexpr std::array kFine_m{0.03, 0.008, 0.002};
+constexpr std::array kWidening_m{0.2, 0.08, 0.03, 0.01};
 constexpr std::size_t kReach = 6;  // stations ahead that legs lead to, when stops are to be left out
 constexpr std::size_t kStopsRound = 8;
 constexpr double kSamePoint_m = 1e-6;
@@ -27,23 +28,33 @@ class Shortening {
         stances_(stances),
         crossings_{&checker, stances.policy(), stances.atLeast(), keeping.start_m, keeping.goal_m, false,
                    false},
-        passage_(std::move(passage)) {}
+        passage_(std::move(passage)),
+        goal_(passage_.goal) {}
 
   Passage best(Interrupt& interrupt) {
     // Only so many stations are left out at a time, so again until none is.
     while (improve(withStopsLeftOut(), interrupt)) continue;
     for (const double step_m : kCoarse_m) {
       nudge(step_m, interrupt);
-      improve(withMoves(step_m), interrupt);
+      improve(withMoves(step_m, Crossings::kFree), interrupt);
       improve(withStopsLeftOut(), interrupt);
     }
     return polished(interrupt);
   }
 
+  std::optional<Passage> widened(Interrupt& interrupt) {
+    for (const double step_m : kWidening_m)
+      if (auto wider = cheapestThrough(withMoves(step_m, Crossings::kUnchecked), Cost::most(), interrupt)) {
+        passage_ = std::move(*wider);
+        return result();
+      }
+    return std::nullopt;
+  }
+
   Passage polished(Interrupt& interrupt) {
     for (const double step_m : kFine_m) nudge(step_m, interrupt);
     improve(withStopsLeftOut(), interrupt);
-    return std::move(passage_);
+    return result();
   }
 
  private:
@@ -58,6 +69,11 @@ class Shortening {
     Nudge nudge(crossings_, std::move(passage_));
     nudge.by(step_m, interrupt);
     passage_ = std::move(nudge).passage();
+  }
+
+  Passage result() {
+    passage_.goal = goal_;
+    return std::move(passage_);
   }
 
   // --- corridors round the passage ------------------------------------------------------------------------
@@ -76,8 +92,10 @@ class Shortening {
     return corridor;
   }
 
+  enum class Crossings { kFree, kUnchecked };  // those of the passage as it is
+
   /// Stops and crossings moved by a step, and stops added, all at the same time and with any ways between.
-  [[nodiscard]] Corridor withMoves(double step_m) const {
+  [[nodiscard]] Corridor withMoves(double step_m, Crossings crossings) const {
     Corridor corridor;
     for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
       const Passage::Step& step = passage_.steps[i];
@@ -88,7 +106,10 @@ class Shortening {
       station.legs_on = &stances_.ofMode(step.leaving.mode);
       const bool is_end = i == 0 || i + 1 == passage_.steps.size();
       if (step.option.is_stop) addStopsRound(step.option, step_m, station);
-      if (!is_end && !step.option.is_stop) addCrossingsBeside(i, step_m, station);
+      if (!is_end && !step.option.is_stop) {
+        if (crossings == Crossings::kUnchecked && !movable(i).isFree()) station.options.clear();
+        addCrossingsBeside(i, step_m, station);
+      }
       corridor.push_back(std::move(station));
     }
     return corridor;
@@ -102,8 +123,12 @@ class Shortening {
     }
   }
 
+  [[nodiscard]] Movable movable(std::size_t i) const {
+    return {crossings_.at(passage_.steps, i), passage_.steps[i].option.motions};
+  }
+
   void addCrossingsBeside(std::size_t i, double step_m, Station& station) const {
-    const Movable crossing(crossings_.at(passage_.steps, i), passage_.steps[i].option.motions);
+    const Movable crossing = movable(i);
     for (const Movable::Move move : Movable::kMoves) {
       const auto moved = crossing.moved(move, step_m);
       if (moved && moved->isFree()) station.options.push_back(moved->option());
@@ -127,6 +152,7 @@ class Shortening {
   const Stances& stances_;
   Movable::Rules crossings_;
   Passage passage_;
+  std::size_t goal_;  // that it leads to
 };
 
 /// A passage that another policy has made, with this one's legs and costs. That of the whole is left to who
@@ -150,6 +176,12 @@ Passage polished(const Checker& checker, const Stances& stances, Passage passage
                  Interrupt& interrupt) {
   return Shortening(checker, stances, measuredBy(checker, stances, std::move(passage)), keeping)
       .polished(interrupt);
+}
+
+std::optional<Passage> widened(const Checker& checker, const Stances& stances, Passage passage,
+                               const Keeping& keeping, Interrupt& interrupt) {
+  return Shortening(checker, stances, measuredBy(checker, stances, std::move(passage)), keeping)
+      .widened(interrupt);
 }
 
 }  // namespace underway

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "geometry/checker.hpp"
 #include "planner/interrupt.hpp"
 #include "planner/passage.hpp"
@@ -24,5 +26,11 @@ struct Keeping {
 /// The same by small steps alone: for a passage that has been shortened under another policy.
 [[nodiscard]] Passage polished(const Checker& checker, const Stances& stances, Passage passage,
                                const Keeping& keeping, Interrupt& interrupt);
+
+/// A passage beside one that comes closer to something than the clearance that `stances` ask for: all its
+/// stops and crossings moved at once, by several steps. The cheapest of those with the largest step that
+/// gives any; empty when none does or it was interrupted.
+[[nodiscard]] std::optional<Passage> widened(const Checker& checker, const Stances& stances, Passage passage,
+                                             const Keeping& keeping, Interrupt& interrupt);
 
 }  // namespace underway

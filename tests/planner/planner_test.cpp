@@ -26,9 +26,10 @@ std::unique_ptr<Planner> plannerFor(const std::string& map, std::uint64_t seed =
   return std::make_unique<Planner>(test::ourWorld(map), test::nao(), GrowthSettings{seed, 3.0});
 }
 
-std::unique_ptr<Planner> plannerIn(std::vector<Obstacle> obstacles) {
+std::unique_ptr<Planner> plannerIn(std::vector<Obstacle> obstacles, std::uint64_t seed = 1) {
   const auto world = World::make("room", {{0, 0, 0}, 6, 4}, 0.0, std::move(obstacles));
-  return std::make_unique<Planner>(std::make_shared<const World>(*world), test::nao());
+  return std::make_unique<Planner>(std::make_shared<const World>(*world), test::nao(),
+                                   GrowthSettings{seed, GrowthSettings{}.sites_per_m2});
 }
 
 /// That a plan exists and is sound, and the plan.
@@ -114,6 +115,19 @@ TEST(Planner, KeepsTheLawsOfThePolicies) {
       EXPECT_GE(leastClearance(safest), leastClearance(fastest)) << map << " seed " << seed;
       EXPECT_LE(fastest.total_time_s, priority.total_time_s + 1e-9) << map << " seed " << seed;
     }
+  }
+}
+
+TEST(Planner, KeepsToTheMiddleOfACorridorForSafety) {
+  // Just wide enough to keep the enough: few places of a roadmap do.
+  const double half_m = 0.195 + kEnoughClearance_m + 0.01;
+  const auto block = [](const char* id, double from_y, double to_y) {
+    return Obstacle{id, {{3.0, 0.5 * (from_y + to_y), 0.5}, {3.0, to_y - from_y, 1.0}, {}}};
+  };
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto dut = plannerIn({block("south", 0.0, 2.0 - half_m), block("north", 2.0 + half_m, 4.0)}, seed);
+    const Plan plan = soundPlan(*dut, requestFor({0.6, 0.8, 1.0}, {5.4, 3.2, 1.0}, Policy::kSafest));
+    EXPECT_GE(leastClearance(plan), kEnoughClearance_m - 1e-3) << "seed " << seed;
   }
 }
 

@@ -68,6 +68,21 @@ class Shortening {
     expectKept(plan, request, at_least_m);
   }
 
+  /// That a passage widened to a clearance keeps it; whether there is one.
+  bool expectWidened(const Request& request, double at_least_m) const {
+    Interrupt never(soon(), {});
+    const auto found = of(request, Stances(*checker_, Policy::kPriority), never);
+    if (!found) return false;
+    const Stances stances(*checker_, Policy::kFastest, at_least_m);
+    const auto wider = widened(*checker_, stances, found->after, found->keeping, never);
+    if (!wider) return false;
+    const Route route = joined(*checker_, routeOf(*wider));
+    EXPECT_EQ(route.front().from, request.start);
+    for (const Motion& motion : route)
+      EXPECT_GE(checker_->closeness(motion, kClearanceCap_m).clearance_m, at_least_m - 1e-5);
+    return true;
+  }
+
  private:
   /// Clearance that is asked for is kept, but where the start or the goal has less itself.
   void expectKept(const Plan& plan, const Request& request, double at_least_m) const {
@@ -127,6 +142,25 @@ TEST(Shortened, KeepsWhatATightStartAndGoalHave) {
   dut.expectGood(requestFor({2.765, 2.0, 0.0}, {1.0, 1.0, 0.0}), Policy::kFastest, 0.0);
   dut.expectGood(requestFor({1.0, 1.0, 0.0}, {2.765, 2.0, 0.0}), Policy::kFastest, 0.0);
   dut.expectGood(requestFor({2.765, 2.0, 0.0}, {2.765, 1.0, 0.0}), Policy::kFastest, 0.0);
+}
+
+TEST(Widened, KeepsWhatIsAskedForOrGivesNothing) {
+  int found = 0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    test::RandomWorld random(seed);
+    const Shortening dut(random.world(7), test::smallRobot(), 4);
+    for (int i = 0; i < 20; ++i) {
+      const Request request = requestFor(random.pose(), random.pose());
+      const Pose goal{request.goal.x, request.goal.y, *request.goal_yaw};
+      const double most_m = std::min(dut.checker().clearance(stay(0, request.start), 0.1),
+                                     dut.checker().clearance(stay(0, goal), 0.1));
+      if (most_m < 0.03) continue;
+      SCOPED_TRACE(testing::Message() << "seed " << seed << " case " << i);
+      for (const double at_least_m : {0.3 * most_m, 0.6 * most_m, 0.9 * most_m})
+        found += dut.expectWidened(request, at_least_m) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 50);
 }
 
 TEST(Shortened, StaysAsItWasWhenItIsInterruptedAtOnce) {
