@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -42,7 +43,8 @@ class LinkChecks {
   };
   const Draft& graph_;
   const Checker& checker_;
-  std::unordered_map<std::uint64_t, Known> known_;
+  std::pmr::monotonic_buffer_resource memory_;  // given back at once: there are thousands
+  std::pmr::unordered_map<std::uint64_t, Known> known_{&memory_};
 };
 
 /// The cheapest way to any of the goals, by A* under the policy of `stances` with the Guide as its bound;
