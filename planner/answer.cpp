@@ -123,28 +123,27 @@ class Answerer {
     takeWidened(plan, fastest, most_m);
   }
 
-  /// What is found beside a way, with as much clearance as the plan has or more.
+  /// What is found beside a way, with more clearance than the plan has, or as much, for it may be quicker.
   void takeWidened(Plan& plan, const Found& beside, double most_m) {
     double has_m = leastClearance(plan);
-    std::optional<Passage> widest;
     Passage passage = beside.shortest;
-    for (double more_m = most_m - has_m; !interrupt_.isDueNow();) {
-      const Stances stances(checker_, Policy::kFastest, has_m + more_m);
-      if (auto wider = widened(checker_, stances, passage, keepingTo(passage), interrupt_)) {
-        passage = *wider;
-        widest = std::move(wider);
-        has_m += more_m;
-        more_m = std::min(more_m, most_m - has_m);
-        if (more_m <= 0.0) break;
-      } else {
-        if (more_m <= 0.0) break;
-        more_m = more_m > kClearanceStep_m ? 0.5 * more_m : 0.0;
-      }
-    }
-    if (!widest) return;
+    const auto widen = [&](double to_m) {
+      const Stances stances(checker_, Policy::kFastest, to_m);
+      auto wider = widened(checker_, stances, passage, keepingTo(passage), interrupt_);
+      if (wider) passage = *std::move(wider), has_m = to_m;
+      return wider.has_value();
+    };
+    bool is_wider = false;
+    for (double more_m = most_m - has_m; more_m >= kClearanceStep_m && !interrupt_.isDueNow();
+         more_m = std::min(more_m, most_m - has_m))
+      if (widen(has_m + more_m))
+        is_wider = true;
+      else
+        more_m *= 0.5;
+    if (!is_wider && !widen(has_m)) return;
     const Stances stances(checker_, Policy::kFastest, has_m);
-    Passage shortest = shortened(checker_, stances, *widest, keepingTo(*widest), interrupt_);
-    if (auto found = foundOn(*std::move(widest), std::move(shortest))) takeIfBetter(plan, found->plan);
+    Passage shortest = shortened(checker_, stances, passage, keepingTo(passage), interrupt_);
+    if (const auto found = foundOn(std::move(passage), std::move(shortest))) takeIfBetter(plan, found->plan);
   }
 
   /// The most that a plan can have: what the start and the best goal have, up to the enough.
