@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,11 @@ class Rivals {
   using StateId = StateTable::Id;
 
   /// The table holds what the states cost; it must outlive it.
-  Rivals(std::size_t places, StateTable& states) : states_(states), last_(places, kNoState) {}
+  Rivals(std::size_t places, StateTable& states)
+      : states_(states), last_(places, kNoState), cheapest_(places, Cost::most()) {}
+
+  /// What the cheapest state at a place costs; Cost::most() if there is none.
+  [[nodiscard]] Cost cheapestAt(PlaceId place) const { return cheapest_[place]; }
 
   /// Of a place, in no order: visit(state, stance) until it returns true; whether it did.
   template <class Visit>
@@ -28,7 +33,8 @@ class Rivals {
     return false;
   }
 
-  void add(PlaceId place, StateId state, const Stance& stance) {
+  void add(PlaceId place, StateId state, const Stance& stance, Cost cost) {
+    cheapest_[place] = std::min(cheapest_[place], cost);
     rivals_.push_back({state, last_[place], stance});
     last_[place] = static_cast<std::uint32_t>(rivals_.size() - 1);
   }
@@ -50,7 +56,7 @@ class Rivals {
       else
         at = &other.before;
     }
-    add(place, state, stance);
+    add(place, state, stance, cost);
     return true;
   }
 
@@ -62,6 +68,7 @@ class Rivals {
   };
   StateTable& states_;
   std::vector<std::uint32_t> last_;  // of each place, in rivals_
+  std::vector<Cost> cheapest_;       // at each place
   std::vector<Rival> rivals_;
 };
 

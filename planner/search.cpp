@@ -161,7 +161,7 @@ class Search {
       return its + legs.changeCost(from, stance) <= cost &&
              its + freeChange(other, place, legs, from, stance) <= cost;
     });
-    if (!is_surpassed) rivals_.add(place, here, stance);
+    if (!is_surpassed) rivals_.add(place, here, stance, cost);
     return is_surpassed;
   }
 
@@ -204,11 +204,14 @@ class Search {
     arriveBy(id, state, here, {crossing.exit().yaw, crossing.exitMode()}, sum, left);
   }
 
-  /// By all ways of a link.
+  /// By all ways of a link, unless the cheapest state at its end can change into any that they lead to.
   void walk(StateId here, PlaceId place, const Stance& stance, LinkId id, Roadmap::Ways ways) {
     const Roadmap::Link& link = graph_.link(id);
     const Legs& legs = legsAt(place);
     const Cost cost = states_[here].cost;
+    if (changeFreely(link.to) &&
+        cost + legs.cheapestLeg(ways, link.length_m) >= rivals_.cheapestAt(link.to) + legs.dearestChange())
+      return;
     const Cost left = guide_.from(link.to);
     if (left == Cost::most()) return;
     for (std::size_t way = 0; ways >> way != 0; ++way) {
