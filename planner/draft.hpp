@@ -71,15 +71,6 @@ class Draft {
   /// Whether links lead from one place to the other, taken both ways. Of the draft's own places.
   [[nodiscard]] bool areJoined(PlaceId a, PlaceId b) { return rootOf(a) == rootOf(b); }
 
-  /// Takes over what is free in another world: visit(link id) -> ways that are free, for every link.
-  template <class Free>
-  void revalidate(const Free& free) {
-    for (LinkId id = 0; id < links_.size(); ++id) ways_[id] = free(id);
-    for (PlaceId place = 0; place < places_.size(); ++place) parents_[place] = place;
-    for (LinkId id = 0; id < links_.size(); ++id)
-      if (ways_[id] != 0) join(links_[id].from, links_[id].to);
-  }
-
   /// A draft that goes on from a frozen roadmap: freezing it at once gives the same roadmap, bit for bit, and
   /// so does adding to it what was added to the draft that the roadmap came from.
   [[nodiscard]] static Draft thawed(const Roadmap& roadmap);

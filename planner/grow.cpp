@@ -253,11 +253,9 @@ void Growth::takeOver(const Roadmap& roadmap) {
     state_->near[roadmap.places[place].group].add({place, roadmap.places[place].at});
 }
 
-void Growth::moveTo(std::shared_ptr<const Checker> checker) {
+void Growth::moveTo(std::shared_ptr<const Checker> checker, const Roadmap& roadmap) {
   state_->standOn(std::move(checker));
-  state_->draft.revalidate([&](Roadmap::LinkId id) {
-    return freeWaysOf(state_->draft, id, state_->ground->stances, state_->checker());
-  });
+  takeOver(roadmap);
 }
 
 const std::shared_ptr<const Checker>& Growth::checker() const { return state_->world; }

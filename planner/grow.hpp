@@ -34,8 +34,9 @@ class Growth {
   /// dropped.
   void takeOver(const Roadmap& roadmap);
 
-  /// Goes on in another revision of the world; what has grown is looked at again.
-  void moveTo(std::shared_ptr<const Checker> checker);
+  /// Goes on in another revision of the world, from a roadmap whose ways are those that are free there; from
+  /// nothing if it is empty.
+  void moveTo(std::shared_ptr<const Checker> checker, const Roadmap& roadmap);
   [[nodiscard]] const std::shared_ptr<const Checker>& checker() const;
 
   [[nodiscard]] std::uint32_t batches() const;

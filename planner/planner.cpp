@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "planner/answer.hpp"
 #include "planner/grow.hpp"
@@ -51,10 +52,11 @@ std::string leftOut(std::size_t goals, std::size_t tried) {
 
 }  // namespace
 
-/// The snapshot that answers now, and the growth behind it. One hard question makes that grow on and on, and
-/// on a large roadmap every answer takes longer: so what is large is a reserve, for what the snapshot does
-/// not answer. Whoever grows holds `growing`; whoever makes a snapshot out of the last one holds `changing`;
-/// whoever reads or publishes it holds `published`, for no longer than a copy of its pointers takes.
+/// The snapshot that answers first, those that have grown further, and the growth behind them. One hard
+/// question makes that grow on and on, and on a large roadmap every answer takes longer: so a question goes
+/// from one to the next larger until it is answered, and a change of the world leaves the first alone.
+/// Whoever grows holds `growing`; whoever makes a snapshot out of the last one holds `changing`; whoever
+/// reads or publishes them holds `published`, for no longer than a copy of their pointers takes.
 struct Planner::State {
   State(std::shared_ptr<const World> world, std::shared_ptr<const Robot> robot, GrowthSettings s)
       : settings(s),
@@ -71,32 +73,52 @@ struct Planner::State {
   void publish(Snapshot next) {
     const std::lock_guard lock(published);
     snapshot = std::move(next);
-    reserve = {};
+    further.clear();
   }
 
-  /// What has grown furthest in the world as it is now.
-  [[nodiscard]] Snapshot furthest() const {
+  /// What there is to try after another: the first of another world, or the next larger of the same.
+  [[nodiscard]] std::optional<Snapshot> nextAfter(const Snapshot& tried) const {
     const std::lock_guard lock(published);
-    return reserve.roadmap ? reserve : snapshot;
+    const auto is_larger = [&](const Snapshot& other) {
+      return other.roadmap->batches > tried.roadmap->batches;
+    };
+    if (snapshot.planning != tried.planning || is_larger(snapshot)) return snapshot;
+    const auto next = std::find_if(further.begin(), further.end(), is_larger);
+    return next == further.end() ? std::nullopt : std::optional(*next);
   }
 
-  /// Publishes the roadmap as grown, in the world as it is now; one that has grown far beyond what covers the
-  /// floor becomes the reserve. When interrupted it is left to who comes next.
-  void publishGrowth(Interrupt& interrupt) {
+  /// What has answered a hard question answers first from now on, unless it has grown far beyond what covers
+  /// the floor.
+  void prefer(const Snapshot& answered) {
+    const std::lock_guard lock(published);
+    const std::uint32_t batches = answered.roadmap->batches;
+    if (answered.planning != snapshot.planning || batches <= snapshot.roadmap->batches ||
+        batches > most_first)
+      return;
+    snapshot = answered;
+    std::erase_if(further, [&](const Snapshot& other) { return other.roadmap->batches <= batches; });
+  }
+
+  /// Publishes the roadmap as grown, in the world as it is now, to answer first or after all others; for what
+  /// comes last another world needs none of it. When interrupted it is left to who comes next.
+  enum class Place { kFirst, kLast };
+  void publishGrowth(Place place, Interrupt& interrupt) {
     auto grown = growth.freeze(interrupt);
     if (!grown) return;
     auto roadmap = std::make_shared<const Roadmap>(std::move(*grown));
+    const std::uint32_t most = kMostOfCover * growth.batchesToCover();
     const std::lock_guard lock(changing);
     const Snapshot before = current();
     if (before.planning->checker != growth.checker()) {
+      if (place == Place::kLast) return;
       Repair repair;
       roadmap = revalidated(*roadmap, before.planning->fastest, *before.planning->checker, repair);
     }
     Snapshot next{before.planning, std::move(roadmap), nullptr};
-    if (!before.roadmap || next.roadmap->batches <= kMostOfCover * growth.batchesToCover())
-      return publish(std::move(next));
-    const std::lock_guard reserving(published);
-    reserve = std::move(next);
+    if (place == Place::kFirst) publish(next);
+    const std::lock_guard publishing(published);
+    most_first = most;
+    if (place == Place::kLast) further.push_back(std::move(next));
   }
 
   Repair update(std::shared_ptr<const World> world) {
@@ -139,7 +161,7 @@ struct Planner::State {
     if (!loaded) return tl::unexpected(loaded.error());
     growth.takeOver(loaded->roadmap);
     Interrupt never(Clock::time_point::max(), {});
-    publishGrowth(never);
+    publishGrowth(Place::kFirst, never);
     return loaded->how;
   }
 
@@ -164,38 +186,41 @@ struct Planner::State {
       if (progress) progress(static_cast<double>(growth.batches()) / wanted);
     } while (growth.batches() < wanted && !growing_time.isDueNow());
     build_ms = build_ms + std::chrono::duration<double, std::milli>(Clock::now() - started).count();
-    publishGrowth(interrupt);
+    publishGrowth(Place::kFirst, interrupt);
   }
 
   /// Something better than what was not enough: the world has changed, another query has made it grow
-  /// meanwhile or before, or now it grows by a fifth. Growth that the deadline cuts off goes on with the next
-  /// query.
+  /// meanwhile or before, or now it grows on. Growth that the deadline cuts off goes on with the next query.
   Snapshot beyond(const Snapshot& tried, Interrupt& interrupt) {
     const auto lock = turnToGrow(interrupt);
     if (!lock) return tried;
-    if (const Snapshot now = current(); now.planning != tried.planning) return now;
-    if (Snapshot better = furthest(); better.roadmap->batches > tried.roadmap->batches) return better;
+    if (auto better = nextAfter(tried)) return *std::move(better);
     followWorld();
-    const std::uint32_t wanted = tried.roadmap->batches + 1 + tried.roadmap->batches / 5;
+    const std::uint32_t wanted = tried.roadmap->batches + kLeastStep + tried.roadmap->batches / 2;
     while (growth.batches() < wanted)
       if (!growth.addBatch(interrupt)) return tried;
-    publishGrowth(interrupt);
-    return furthest();
+    publishGrowth(Place::kLast, interrupt);
+    return nextAfter(tried).value_or(tried);
   }
 
-  /// What grows next grows in the world as it is now.
+  /// What grows next grows in the world as it is now, from the snapshot: what had grown beyond it is large,
+  /// and was for questions of another world.
   void followWorld() {
-    if (const auto checker = current().planning->checker; checker != growth.checker()) growth.moveTo(checker);
+    const Snapshot now = current();
+    if (now.planning->checker == growth.checker()) return;
+    growth.moveTo(now.planning->checker, now.roadmap ? *now.roadmap : Roadmap{});
   }
 
   static constexpr std::chrono::milliseconds kPatience{5};  // between looks at deadline and stop
   static constexpr std::uint32_t kMostOfCover = 8;          // times the batches that cover the floor
+  static constexpr std::uint32_t kLeastStep = 4;            // batches: less takes as long, for answers
 
   GrowthSettings settings;
   std::mutex changing;
   mutable std::mutex published;
   Snapshot snapshot;
-  Snapshot reserve;  // for what the snapshot does not answer; of the same world, or empty
+  std::vector<Snapshot> further;  // for what it does not answer; of the same world, each larger than the last
+  std::uint32_t most_first = 0;   // batches of a roadmap that answers first
   std::timed_mutex growing;
   Growth growth;
   std::atomic<double> build_ms = 0.0;
@@ -256,8 +281,9 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
   Interrupt growing_time(started + (deadline - started) / 2, stop);
   if (!interrupt.isDueNow()) state_->cover(State::Enough::kAny, growing_time, interrupt, progress);
   Answer last;
-  bool may_be_proven = proving == Proving::kYes;
-  bool is_second_try = false;
+  // What can be answered is mostly answered when the roadmap has grown a little: only then proofs are tried.
+  int proofs_left = proving == Proving::kYes ? 2 : 0;
+  bool has_grown = false;
   Snapshot now = state_->current();
   while (now.roadmap && !interrupt.isDueNow()) {
     world = now.planning->checker;
@@ -265,16 +291,18 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
     if (!asked) return tl::unexpected(asked.error());
     last = answer(*now.planning, *now.roadmap, *asked, interrupt);
     if (last.plan) {
+      state_->prefer(now);
       last.plan->stats.build_ms = state_->build_ms;
       return *std::move(last.plan);
     }
-    if (may_be_proven && !last.fault) {
+    if (proofs_left > 0 && has_grown && !last.fault) {
       Interrupt a_third(Clock::now() + (deadline - Clock::now()) / 3, stop);
       if (auto no = provenImpossible(*world, *asked, state_->settings, a_third, interrupt))
         return tl::unexpected(*std::move(no));
       // What was given up before its time is up cannot be proven; else there is one more try, later.
-      may_be_proven = a_third.isDueNow() && !std::exchange(is_second_try, true);
+      proofs_left = a_third.isDueNow() ? proofs_left - 1 : 0;
     }
+    has_grown = true;
     now = state_->beyond(now, interrupt);
   }
   if (interrupt.isStopped())

@@ -41,16 +41,4 @@ class Sites {
 [[nodiscard]] Roadmap::Ways freeWays(const Legs& legs, Point from, Point to, double keep_m,
                                      const Roadmap::Ways* back);
 
-/// Which ways of a link are free, its motions looked at one by one: of legs or of a crossing.
-template <class Graph>
-[[nodiscard]] Roadmap::Ways freeWaysOf(const Graph& graph, Roadmap::LinkId id, const Stances& stances,
-                                       const Checker& checker) {
-  const Roadmap::Link& link = graph.link(id);
-  const Roadmap::Place& from = graph.place(link.from);
-  const Roadmap::Place& to = graph.place(link.to);
-  if (link.crossing == Roadmap::kNone)
-    return freeWays(stances.ofGroup(from.group), from.at, to.at, std::min(from.keep_m, to.keep_m), nullptr);
-  return graph.crossing(link).isFree(checker) ? 1 : 0;
-}
-
 }  // namespace underway

@@ -55,16 +55,9 @@ TEST(Planner, IsNotMadeSlowByAHardQuestion) {
   const Plan after = *dut->plan(easy, soon());
   EXPECT_LE(after.stats.batches, 8 * std::max(1U, before.stats.batches));
   EXPECT_EQ(after.stats.batches, dut->roadmap()->batches);
-  // What the hard question has grown is there for the next hard one: it goes on, and tells how far it came.
-  const auto batchesOf = [](const Error& error) {
-    const auto at = error.message.find("with ");
-    return std::stoul(error.message.substr(at + 5));
-  };
-  const auto again = dut->findPlan(requestFor({0.8, 1.5, 0.0}, {4.2, 1.5, 0.0}),
-                                   Planner::Clock::now() + std::chrono::milliseconds(500));
-  ASSERT_FALSE(again);
-  EXPECT_GT(batchesOf(hard.error()), after.stats.batches);
-  EXPECT_GE(batchesOf(again.error()), batchesOf(hard.error()));
+  // How far it came is told.
+  const auto at = hard.error().message.find("with ");
+  EXPECT_GT(std::stoul(hard.error().message.substr(at + 5)), after.stats.batches);
 }
 
 TEST(Planner, CrawlsOnlyUnderTheLowPlaceAndStandsUpAfterIt) {

@@ -211,6 +211,34 @@ TEST(Update, LetsTheRoadmapGrowOnInTheNewWorld) {
              *revalidated(*dut.roadmap(), Stances(checker, Policy::kFastest), checker, repair));
 }
 
+TEST(Update, LeavesBehindWhatHadGrownForAHardQuestion) {
+  const WorldPointer open = room({});
+  const WorldPointer closed = shared(open->added({"closed", {{3.0, 2.0, 0.5}, {0.6, 4.0, 1.0}, {}}}));
+  WorldPointer with_gap = shared(closed->removed("closed"));
+  with_gap = shared(with_gap->added({"south", {{3.0, 0.8, 0.5}, {0.6, 1.6, 1.0}, {}}}));
+  with_gap = shared(with_gap->added({"north", {{3.0, 2.985, 0.5}, {0.6, 2.03, 1.0}, {}}}));
+  const auto planIn = [&](bool asks_while_closed) {
+    Planner dut(open, test::nao());
+    expectSound(dut.plan(kAcross, soon()), kAcross, *dut.checker());
+    dut.update(closed);
+    if (asks_while_closed) {
+      EXPECT_FALSE(dut.findPlan(kAcross, Planner::Clock::now() + std::chrono::milliseconds(300)));
+    }
+    const std::uint32_t first = dut.roadmap()->batches;
+    dut.update(with_gap);
+    auto plan = dut.plan(kAcross, soon());
+    expectSound(plan, kAcross, *dut.checker());
+    EXPECT_GT(plan->stats.batches, first) << "this question is too easy to tell anything";
+    return *std::move(plan);
+  };
+  const Plan plan = planIn(true);
+  const Plan same = planIn(false);
+  EXPECT_EQ(plan.stats.batches, same.stats.batches);
+  ASSERT_EQ(plan.segments.size(), same.segments.size());
+  for (std::size_t i = 0; i < plan.segments.size(); ++i)
+    EXPECT_EQ(plan.segments[i].motion, same.segments[i].motion);
+}
+
 TEST(Update, LeavesQueriesFromOtherThreadsInAWorldOfTheirOwn) {
   std::vector<WorldPointer> worlds{room({})};
   for (int i = 0; i < 6; ++i)
