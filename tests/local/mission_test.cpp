@@ -65,7 +65,7 @@ TEST(Mission, CrawlsFurtherFromWhatItSawWherePlansCrawlBesideIt) {
   const auto map = test::ourWorld("scenario3");
   const Pose start{0.6, 2.0, 0.0};
   auto truth = *map;
-  for (const double y : {1.45, 2.55})  // before the table, to either side of where the map's plan lies down
+  for (const double y : {1.62, 2.38})  // before the table, to either side of where the map's plan lies down
     truth = *truth.added({"unmapped " + std::to_string(y), {{2.95, y, 0.3}, {0.1, 0.1, 0.6}, {}}});
   Source source;
   Mission dut(map, test::nao(), test::requestFor(start, {5.4, 2.0, 0.0}), std::ref(source));
