@@ -8,9 +8,8 @@ namespace underway::bench {
 namespace {
 
 std::shared_ptr<const World> roomWithWall(double length_m) {
-  return std::make_shared<const World>(
-      *World::make("room", {{0, 0, 0}, 5, 3}, 0.0,
-                   {{"wall", {{2.5, 0.5 * length_m, 0.4}, {0.1, length_m, 0.8}, {}}}}));
+  return std::make_shared<const World>(*World::make(
+      "room", {{0, 0, 0}, 5, 3}, 0.0, {{"wall", {{2.5, 0.5 * length_m, 0.4}, {0.1, length_m, 0.8}, {}}}}));
 }
 const Request kAcross = test::requestFor({0.6, 0.6, 0.0}, {4.4, 0.6, 0.0});
 
