@@ -7,10 +7,7 @@ namespace underway {
 
 Pose startFrom(const Checker& checker, ModeId mode, const Pose& believed) {
   constexpr int kDirections = 16;
-  constexpr double kSpare_m = 1e-4;
-  const auto keeps = [&](const Pose& pose) {
-    return checker.isFree(stay(mode, pose), checker.robot().margin_m + kSpare_m);
-  };
+  const auto keeps = [&](const Pose& pose) { return checker.isFree(stay(mode, pose)); };
   if (keeps(believed)) return believed;
   for (const double off_m : {0.004, 0.008, 0.012, 0.016, 0.02})
     for (const double turned_rad : {0.0, -0.025, 0.025, -0.05, 0.05})

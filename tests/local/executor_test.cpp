@@ -134,7 +134,7 @@ TEST_P(WalkingBackwards, SeesWhatItComesToOverEitherShoulder) {
   const auto robot = std::make_shared<const Robot>(seeing);
   const Pose start{4.0, 2.0, 0.0};
   Plan plan;
-  plan.segments.push_back({translate(0, Sense::kBackward, start, 2.8)});
+  plan.segments.push_back({translate(0, Sense::kBackward, start, 2.8), 0.0, {}});
   plan.segments.back().closeness.clearance_m = 0.1;
   plan.goal = plan.segments.back().motion.to;
   const auto map = room({});
