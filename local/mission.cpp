@@ -12,10 +12,9 @@
 namespace underway {
 namespace {
 
-constexpr int kMostRefusals = 4;     // of plans, with a fresh look between them
-constexpr int kMostPlaces = 3;       // fresh looks at them led to a plan: more is going to and fro
-constexpr int kMostFreshLooks = 12;  // that led to a plan, at any place
-constexpr int kMostBerths = 6;       // given one after the other, until a plan crawls beside nothing unmapped
+constexpr int kMostRefusals = 4;    // of plans, with a fresh look between them
+constexpr int kMostFreshLooks = 3;  // that led to a plan: more is going to and fro between blocked ways
+constexpr int kMostBerths = 6;      // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
@@ -78,21 +77,13 @@ void Mission::ask(const Senses& senses) {
   auto plan = planFromHere();
   if (!plan) return refused(plan.error(), senses.now_s);
   ++plans_;
-  if (refusals_ > 0) countFreshLook();
+  if (refusals_ > 0) ++fresh_looks_;
   refusals_ = 0;
   countInPlace();
   berths_.clear();
   berths_given_ = 0;
   if (outcome_ == Outcome::kNoWay) return;
   executor_.follow(std::move(*plan), world_, *map_);
-}
-
-/// Looks from one place after the other are going on; from places far apart, going to and fro.
-void Mission::countFreshLook() {
-  constexpr double kSamePlace_m = 1.0;
-  const Point here = executor_.pose().position();
-  if (fresh_looks_++ == 0 || distance(here, looked_from_) > kSamePlace_m) ++places_;
-  looked_from_ = here;
 }
 
 /// Plans that do not get it away are no way either.
@@ -142,8 +133,8 @@ void Mission::refused(const Error& error, double now_s) {
   }
   again_s_ = now_s + kLookAgain_s;
   berths_given_ = 0;
-  const bool is_to_and_fro = places_ >= kMostPlaces || fresh_looks_ >= kMostFreshLooks;
-  if (++refusals_ >= kMostRefusals || plans_ == 0 || is_to_and_fro) outcome_ = Outcome::kNoWay;
+  if (++refusals_ >= kMostRefusals || plans_ == 0 || fresh_looks_ >= kMostFreshLooks)
+    outcome_ = Outcome::kNoWay;
 }
 
 std::shared_ptr<const World> Mission::worldWithSurprises(const World& base) const {

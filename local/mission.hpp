@@ -42,7 +42,6 @@ class Mission {
   [[nodiscard]] Expected<Plan> planFromHere();
   [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan);
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
-  void countFreshLook();
   void countInPlace();
   void refused(const Error& error, double now_s);
 
@@ -57,8 +56,6 @@ class Mission {
   int plans_ = 0;
   int refusals_ = 0;
   int fresh_looks_ = 0;  // that led to a plan
-  int places_ = 0;       // that these were from
-  Point looked_from_;    // at last
   int in_place_ = 0;     // plans asked for from one place
   Point asked_at_;
   std::vector<std::string> berths_;  // what the next plan is to keep further from
