@@ -13,23 +13,25 @@ constexpr std::array kMaps{"scenario1",  "scenario2a", "scenario2b",     "scenar
 struct Count {
   unsigned long runs = 0;
   unsigned long arrived = 0;
-  unsigned long blocked = 0;  // said so, and it is proven: in truth, or with sound margins
-  unsigned long soundly = 0;  // of these: with sound margins only
+  unsigned long proven = 0;     // said that there is no way, and it is proven
+  unsigned long not_found = 0;  // said so, and no search finds one
+  unsigned long wrong = 0;      // said so, and there is one
   Collisions collisions;
 };
 
 void count(const LoopRun& run, Count& so_far) {
   ++so_far.runs;
   so_far.arrived += run.has_arrived ? 1 : 0;
-  so_far.blocked += run.is_soundly_blocked ? 1 : 0;
-  so_far.soundly += run.is_soundly_blocked && !run.is_truly_blocked ? 1 : 0;
+  so_far.proven += run.no_way == NoWay::kProven ? 1 : 0;
+  so_far.not_found += run.no_way == NoWay::kNotFound ? 1 : 0;
+  so_far.wrong += run.no_way == NoWay::kFalse ? 1 : 0;
   so_far.collisions.count(run.has_collided, run.is_disputed);
 }
 
 void addRows(const std::string& what, const std::string& does, const Count& so_far, double least_percent,
              Report& report) {
-  const double percent =
-      100.0 * static_cast<double>(so_far.arrived + so_far.blocked) / static_cast<double>(so_far.runs);
+  const double percent = 100.0 * static_cast<double>(so_far.arrived + so_far.proven + so_far.not_found) /
+                         static_cast<double>(so_far.runs);
   std::string asked = ">= " + std::to_string(least_percent);
   asked.erase(asked.find_last_not_of('0') + 1);
   if (asked.ends_with('.')) asked.pop_back();
@@ -38,21 +40,15 @@ void addRows(const std::string& what, const std::string& does, const Count& so_f
   so_far.collisions.addRows(what, report);
 }
 
-/// How many of these reported that they are blocked, rightly; nothing is asked of them.
+/// How many of these reported that they are blocked, and how rightly; nothing is asked of them.
 void addBlocked(const std::string& what, const Count& so_far, Report& report) {
-  const auto add = [&](const std::string& where, unsigned long count) {
-    report.rows.push_back({what + ": proven blocked " + where,
-                           static_cast<double>(count),
-                           "runs",
-                           "",
-                           {},
-                           1,
-                           so_far.runs,
-                           {},
-                           {}});
+  const auto add = [&](const std::string& which, unsigned long count) {
+    report.rows.push_back(
+        {what + ": blocked, " + which, static_cast<double>(count), "runs", "", {}, 1, so_far.runs, {}, {}});
   };
-  add("in truth", so_far.blocked - so_far.soundly);
-  add("with what is unmapped 2 cm larger only", so_far.soundly);
+  add("proven in the true world", so_far.proven);
+  add("not proven, but a minute's search and the oracle find no way in it", so_far.not_found);
+  add("wrongly: there is a way", so_far.wrong);
 }
 
 ExecutorSettings settingsFor(double noise) {

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bench/local_no_way.hpp"
 #include "local/mission.hpp"
 #include "planner/planner.hpp"
 #include "sim/robot.hpp"
@@ -25,11 +27,11 @@ struct Course {
 
 struct LoopRun {
   Mission::Outcome outcome = Mission::Outcome::kUnderway;
-  bool has_arrived = false;         ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
-  bool is_truly_blocked = false;    ///< it said so, and in the true world it is proven from where it stands
-  bool is_soundly_blocked = false;  ///< the same, or with what is unmapped 2 cm larger
-  bool has_collided = false;        ///< by either judge
-  bool is_disputed = false;         ///< the judges of the simulated robot disagree
+  bool has_arrived = false;  ///< in truth, within 0.05 m and 5 degrees, in the goal's mode
+  /// Of one that said that there is no way: how sure that is, in the true world from where it truly stands.
+  std::optional<NoWay> no_way;
+  bool has_collided = false;  ///< by either judge
+  bool is_disputed = false;   ///< the judges of the simulated robot disagree
   std::string why;
   double off_m = 0.0;  ///< from the goal, in truth
   double off_rad = 0.0;

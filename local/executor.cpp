@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "local/low.hpp"
 
@@ -162,7 +163,7 @@ Command Executor::commandFor(const Senses& senses) {
   switch (state_) {
     case State::kWalking:
       if (current()->motion.kind == MotionKind::kSwitch) return {{}, current()->motion.to_mode};
-      return {walkOn(senses), std::nullopt, lookRad()};
+      return {walkOn(senses), std::nullopt, lookRad(senses.now_s)};
     case State::kAligning:
       return {surroundings_.guarded(holdAt(entry(), belief_.pose(), settings_.follow.hold, limits_)),
               std::nullopt};
@@ -181,12 +182,17 @@ Velocity Executor::walkOn(const Senses& senses) {
   return surroundings_.guarded(follow_.along(*current(), belief_.pose(), senses.scan, shift_m_));
 }
 
-/// Where the robot goes.
-double Executor::lookRad() const {
+/// Where the robot goes. A head does not look straight back: one that walks backwards glances over either
+/// shoulder in turn, or it would see only half of what it comes to.
+double Executor::lookRad(double now_s) const {
   const Motion& motion = current()->motion;
   constexpr double kIntoTurn_rad = 0.8;
+  constexpr double kGlance_s = 1.0;
   if (motion.kind == MotionKind::kTurn) return std::copysign(kIntoTurn_rad, motion.angle_rad);
-  return angleOf(motion.sense);
+  if (motion.sense != Sense::kBackward) return angleOf(motion.sense);
+  const double half_field = robot_->senses.depth ? 0.5 * robot_->senses.depth->field_rad : 0.0;
+  const bool is_left = std::fmod(now_s, 2.0 * kGlance_s) < kGlance_s;
+  return (is_left ? 1.0 : -1.0) * (std::numbers::pi - half_field);
 }
 
 std::vector<Point> Executor::surprises() const {

@@ -68,7 +68,7 @@ class Executor {
   [[nodiscard]] Command commandFor(const Senses& senses);
   [[nodiscard]] Velocity walkOn(const Senses& senses);
   [[nodiscard]] Velocity crawlOn();
-  [[nodiscard]] double lookRad() const;
+  [[nodiscard]] double lookRad(double now_s) const;
   [[nodiscard]] bool isBlocked();
   [[nodiscard]] bool isPassageBlocked() const;
   [[nodiscard]] Pose entry() const;

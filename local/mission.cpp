@@ -4,16 +4,24 @@
 #include <array>
 #include <utility>
 
+#include "geometry/checker.hpp"
+#include "local/low.hpp"
+#include "local/start.hpp"
 #include "local/surprises.hpp"
 
 namespace underway {
 namespace {
 
-constexpr int kMostRefusals = 3;    // of plans, with a fresh look between them
+constexpr int kMostRefusals = 4;    // of plans, with a fresh look between them
 constexpr int kMostFreshLooks = 3;  // that led to a plan: more is going to and fro between blocked ways
+constexpr int kMostBerths = 6;      // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;   // a server that is gone
 constexpr double kMostLost_s = 30.0;  // standing still without localisation
+
+constexpr const char* kBesideCrawl =
+    "each plan found crawls close by something that is not in the map, which the robot cannot see while it "
+    "lies; take it away, or give the robot a lidar on its head";
 
 /// What was seen is first taken for more than points, for the noise, for corners and for what was not seen:
 /// all together they leave no gaps for a body. Where that leaves no plan less is tried, which the guard
@@ -72,6 +80,8 @@ void Mission::ask(const Senses& senses) {
   if (refusals_ > 0) ++fresh_looks_;
   refusals_ = 0;
   countInPlace();
+  berths_.clear();
+  berths_given_ = 0;
   if (outcome_ == Outcome::kNoWay) return;
   executor_.follow(std::move(*plan), world_, *map_);
 }
@@ -90,15 +100,28 @@ void Mission::countInPlace() {
 Expected<Plan> Mission::planFromHere() {
   Request request = request_;
   if (plans_ > 0) {
-    request.start = executor_.pose();
     request.start_mode = executor_.mode();
+    const Checker checker(world_, robot_);
+    request.start = isLow(*robot_, request.start_mode)
+                        ? executor_.pose()
+                        : startFrom(checker, request.start_mode, executor_.pose());
   }
-  auto plan = source_(request, world_);
-  if (plan && !robot_->senses.head && crawlsBesideSurprises(*plan, world_, robot_))
-    return fail(ErrorCode::kNoPathExists,
-                "the plan found crawls close by something that is not in the map, which the robot cannot see "
-                "while it lies; take it away, or give the robot a lidar on its head");
-  return plan;
+  if (berths_.empty()) return clearOfSurprises(source_(request, world_));
+  auto plan = source_(request, std::make_shared<const World>(withBerth(*world_, berths_)));
+  const bool is_none =
+      !plan && (plan.error().code == ErrorCode::kNoPathExists || plan.error().code == ErrorCode::kTimeout);
+  return is_none ? fail(ErrorCode::kNoPathExists, kBesideCrawl) : clearOfSurprises(std::move(plan));
+}
+
+/// Who cannot see while it lies asks for another plan, that keeps further from what the last one crawls
+/// beside.
+Expected<Plan> Mission::clearOfSurprises(Expected<Plan> plan) {
+  if (!plan || robot_->senses.head) return plan;
+  const auto beside = surprisesBesideCrawl(*plan, world_, robot_);
+  if (beside.empty()) return plan;
+  if (berths_given_++ >= kMostBerths) return fail(ErrorCode::kNoPathExists, kBesideCrawl);
+  berths_.insert(berths_.end(), beside.begin(), beside.end());
+  return fail(ErrorCode::kBusy, "waiting for a plan that crawls further from what is not in the map");
 }
 
 void Mission::refused(const Error& error, double now_s) {
@@ -109,6 +132,7 @@ void Mission::refused(const Error& error, double now_s) {
     return;
   }
   again_s_ = now_s + kLookAgain_s;
+  berths_given_ = 0;
   if (++refusals_ >= kMostRefusals || plans_ == 0 || fresh_looks_ >= kMostFreshLooks)
     outcome_ = Outcome::kNoWay;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "local/executor.hpp"
 
@@ -39,6 +40,7 @@ class Mission {
  private:
   void ask(const Senses& senses);
   [[nodiscard]] Expected<Plan> planFromHere();
+  [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan);
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
   void countInPlace();
   void refused(const Error& error, double now_s);
@@ -56,7 +58,9 @@ class Mission {
   int fresh_looks_ = 0;  // that led to a plan
   int in_place_ = 0;     // plans asked for from one place
   Point asked_at_;
-  double again_s_ = 0.0;  // when to ask again
+  std::vector<std::string> berths_;  // what the next plan is to keep further from
+  int berths_given_ = 0;             // since the last refusal
+  double again_s_ = 0.0;             // when to ask again
   double lost_s_ = 0.0;
 };
 

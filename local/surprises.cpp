@@ -14,6 +14,7 @@ namespace underway {
 namespace {
 
 constexpr std::string_view kPrefix = "seen_";
+constexpr double kBeside_m = 0.1;  // nearer to a crawl than this
 
 Obstacle obstacleAt(Point seen, double size_m, const World& world, const Robot& robot) {
   const double height = robot.modes.front().body_m.z.max;
@@ -64,21 +65,34 @@ World withSurprises(const World& base, std::span<const Point> seen, const Cautio
   return world;
 }
 
-bool crawlsBesideSurprises(const Plan& plan, const std::shared_ptr<const World>& world,
-                           const std::shared_ptr<const Robot>& robot) {
-  constexpr double kBeside_m = 0.1;
+std::vector<std::string> surprisesBesideCrawl(const Plan& plan, const std::shared_ptr<const World>& world,
+                                              const std::shared_ptr<const Robot>& robot) {
   constexpr std::size_t kMost = 1000;  // of what is near, mapped things too
   const Checker checker(world, robot);
+  std::vector<std::string> beside;
   bool is_down = false;
   for (const Segment& segment : plan.segments) {
     const Motion& motion = segment.motion;
     is_down |= motion.kind == MotionKind::kSwitch && isLow(*robot, motion.to_mode);
     if (!is_down) continue;  // who lies already has to go on
     for (const std::string& id : checker.blockers(motion, kBeside_m, kMost))
-      if (id.starts_with(kPrefix)) return true;
+      if (id.starts_with(kPrefix)) beside.push_back(id);
     is_down = isLow(*robot, motion.to_mode);
   }
-  return false;
+  return beside;
+}
+
+World withBerth(const World& world, std::span<const std::string> ids) {
+  World wider = world;
+  for (const std::string& id : ids) {
+    const auto found = world.obstacles().find(id);
+    if (!found) continue;
+    OrientedBox box = world.obstacles()[*found].box;
+    box.size_m.x += 2.0 * kBeside_m;
+    box.size_m.y += 2.0 * kBeside_m;
+    if (auto moved = wider.moved(id, box)) wider = std::move(*moved);
+  }
+  return wider;
 }
 
 }  // namespace underway

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "geometry/world.hpp"
 #include "planner/plan.hpp"
@@ -20,9 +22,14 @@ struct Caution {
 [[nodiscard]] World withSurprises(const World& base, std::span<const Point> seen, const Caution& caution,
                                   const Robot& robot, ModeId mode, const Pose& at);
 
-/// Whether a plan lies down to crawl close by such obstacles: what was seen may reach further than its faces
-/// that were seen, and most robots see nothing while they lie.
-[[nodiscard]] bool crawlsBesideSurprises(const Plan& plan, const std::shared_ptr<const World>& world,
-                                         const std::shared_ptr<const Robot>& robot);
+/// Such obstacles that a plan lies down to crawl close by, by their ids: what was seen may reach further than
+/// its faces that were seen, and most robots see nothing while they lie.
+[[nodiscard]] std::vector<std::string> surprisesBesideCrawl(const Plan& plan,
+                                                            const std::shared_ptr<const World>& world,
+                                                            const std::shared_ptr<const Robot>& robot);
+
+/// The same world with some of them so much larger that a plan in it crawls close by none of these. Ids that
+/// the world does not have are passed over.
+[[nodiscard]] World withBerth(const World& world, std::span<const std::string> ids);
 
 }  // namespace underway

@@ -119,5 +119,41 @@ TEST_F(Executing3, StandsStillWithoutAPlan) {
   EXPECT_EQ(tick.command, Command{});
 }
 
+/// Walks backwards along a lane that an unmapped table top reaches into from one side, above the lidar's
+/// plane.
+class WalkingBackwards : public ::testing::TestWithParam<double> {
+ protected:
+  static std::shared_ptr<const World> room(std::vector<Obstacle> obstacles) {
+    return std::make_shared<const World>(*World::make("room", {{0, 0, 0}, 5, 4}, 0.0, std::move(obstacles)));
+  }
+};
+
+TEST_P(WalkingBackwards, SeesWhatItComesToOverEitherShoulder) {
+  auto seeing = *test::nao();
+  seeing.senses.depth = DepthSense{1.5, 3.0};
+  const auto robot = std::make_shared<const Robot>(seeing);
+  const Pose start{4.0, 2.0, 0.0};
+  Plan plan;
+  plan.segments.push_back({translate(0, Sense::kBackward, start, 2.8), 0.0, {}});
+  plan.segments.back().closeness.clearance_m = 0.1;
+  plan.goal = plan.segments.back().motion.to;
+  const auto map = room({});
+  sim::SimulatedRobot body(room({{"unmapped", {{1.9, 2.0 + GetParam() * 0.4, 0.42}, {0.6, 0.6, 0.04}, {}}}}),
+                           robot, start, 0, 3);
+  Executor dut(robot);
+  dut.follow(plan, map, *map);
+  State state = State::kIdle;
+  for (int k = 0; k < 1000 && state != State::kBlocked && !body.truth().has_collided; ++k) {
+    const Tick tick = dut.tick(body.sense());
+    state = tick.state;
+    body.step(tick.command);
+  }
+  EXPECT_EQ(state, State::kBlocked);
+  EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_LT(body.truth().pose.x, 3.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(FromEitherSide, WalkingBackwards, ::testing::Values(-1.0, 1.0));
+
 }  // namespace
 }  // namespace underway

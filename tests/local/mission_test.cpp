@@ -61,6 +61,20 @@ TEST(Mission, ReportsThatThereIsNoWayRound) {
   EXPECT_GT(dut.world()->obstacles().size(), 0U);  // what was seen is in the world
 }
 
+TEST(Mission, CrawlsFurtherFromWhatItSawWherePlansCrawlBesideIt) {
+  const auto map = test::ourWorld("scenario3");
+  const Pose start{0.6, 2.0, 0.0};
+  auto truth = *map;
+  for (const double y : {1.62, 2.38})  // before the table, to either side of where the map's plan lies down
+    truth = *truth.added({"unmapped " + std::to_string(y), {{2.95, y, 0.3}, {0.1, 0.1, 0.6}, {}}});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(start, {5.4, 2.0, 0.0}), std::ref(source));
+  sim::SimulatedRobot body(std::make_shared<const World>(truth), test::nao(), start, 0, 1);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived) << dut.why();
+  EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_FALSE(body.truth().is_disputed);
+}
+
 TEST(Mission, DoesNotGoToAndFroForEverBetweenTwoBlockedWays) {
   const auto hallWith = [](std::vector<Obstacle> obstacles) {
     obstacles.push_back({"block", {{6.0, 1.5, 0.4}, {8.0, 0.6, 0.8}, {}}});

@@ -39,19 +39,40 @@ TEST(Surprises, MayGoOnWhereARowOfThemEnds) {
   EXPECT_EQ(with(true), map->obstacles().size() + 8);  // two beyond each end
 }
 
-/// Scenario 3's plan, which lies down at 3.00 m and gets up at 4.60 m, with something seen at a point.
+/// Scenario 3's plan in a world: in the map alone it lies down at 3.00 m and gets up at 4.60 m.
+Plan planIn(const std::shared_ptr<const World>& world) {
+  return *Planner(world, test::nao()).plan(test::requestFor(kStart, {5.4, 2.0, 0.0}), test::soon());
+}
+
+std::shared_ptr<const World> worldWith(Point seen) {
+  return std::make_shared<const World>(withSurprises(*test::ourWorld("scenario3"), std::array{seen},
+                                                     Caution{0.06, false}, *test::nao(), 0, kStart));
+}
+
+/// Whether the map's plan crawls beside something seen at a point.
 bool crawlsBeside(Point seen) {
-  const auto map = test::ourWorld("scenario3");
-  const Plan plan = *Planner(map, test::nao()).plan(test::requestFor(kStart, {5.4, 2.0, 0.0}), test::soon());
-  const auto world = std::make_shared<const World>(
-      withSurprises(*map, std::array{seen}, Caution{0.06, false}, *test::nao(), 0, kStart));
-  return crawlsBesideSurprises(plan, world, test::nao());
+  return !surprisesBesideCrawl(planIn(test::ourWorld("scenario3")), worldWith(seen), test::nao()).empty();
 }
 
 TEST(Surprises, AreToldBesideACrawlAndNotFarFromItOrBesideAWalk) {
   EXPECT_TRUE(crawlsBeside({4.5, 2.3}));
   EXPECT_FALSE(crawlsBeside({4.5, 3.0}));
   EXPECT_FALSE(crawlsBeside({1.5, 2.3}));
+}
+
+TEST(Surprises, AreNotBesideTheCrawlOfAPlanThatGivesThemABerth) {
+  const auto world = worldWith({4.5, 2.3});
+  const auto beside = surprisesBesideCrawl(planIn(test::ourWorld("scenario3")), world, test::nao());
+  const Plan wider = planIn(std::make_shared<const World>(withBerth(*world, beside)));
+  EXPECT_TRUE(surprisesBesideCrawl(wider, world, test::nao()).empty());
+}
+
+TEST(Surprises, GetABerthOnceAndThoseThatAreGoneNone) {
+  const auto world = worldWith({4.5, 2.3});
+  const std::string id = world->obstacles()[world->obstacles().size() - 1].id;
+  const World wider = withBerth(*world, std::array<std::string, 3>{id, id, "seen_0_0"});
+  ASSERT_EQ(wider.obstacles().size(), world->obstacles().size());
+  EXPECT_NEAR(wider.obstacles()[*wider.obstacles().find(id)].box.size_m.x, 0.26, 1e-9);
 }
 
 }  // namespace
