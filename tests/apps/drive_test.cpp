@@ -16,9 +16,6 @@ using Words = std::vector<std::string>;
 
 const std::string kMap = UNDERWAY_SOURCE_DIR "/maps/scenario3.yaml";
 
-/// A DDS domain of its own for each test process: tests run side by side.
-std::string testDomain() { return std::to_string(100 + getpid() % 100); }
-
 Words words(const std::string& command, const Words& more) {
   Words all{command, "--map", kMap, "--domain", testDomain()};
   all.insert(all.end(), more.begin(), more.end());

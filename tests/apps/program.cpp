@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/test_domain.hpp"
+
 namespace underway {
 
 namespace {
@@ -90,6 +92,8 @@ int Server::stop(int signal) {
   child_ = 0;
   return exit_code;
 }
+
+std::string testDomain() { return std::to_string(test::testDomain()); }
 
 Folder::Folder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "underway_test_XXXXXX").string();

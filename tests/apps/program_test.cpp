@@ -180,9 +180,6 @@ TEST(Program, AQueryTellsTheMarginFromContact) {
   EXPECT_NE(outside.output.find("out_of_bounds"), std::string::npos) << outside.output;
 }
 
-/// A DDS domain of its own for each test process: tests run side by side.
-std::string testDomain() { return std::to_string(100 + getpid() % 100); }
-
 TEST(Program, AskGivesWhatPlanGives) {
   const Folder folder;
   const std::string ready = folder.path("ready");

@@ -14,9 +14,6 @@ using Json = nlohmann::json;
 
 const std::string kMap = UNDERWAY_SOURCE_DIR "/maps/scenario3.yaml";
 
-/// A DDS domain of its own for each test process: tests run side by side.
-std::string testDomain() { return std::to_string(100 + getpid() % 100); }
-
 std::vector<std::string> serveWords(const std::vector<std::string>& more, const std::string& map = kMap) {
   std::vector<std::string> words{"serve", "--map", map, "--domain", testDomain()};
   words.insert(words.end(), more.begin(), more.end());

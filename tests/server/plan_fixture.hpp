@@ -10,6 +10,7 @@
 #include "server/domain.hpp"
 #include "server/question.hpp"
 #include "server/served.hpp"
+#include "tests/test_domain.hpp"
 
 #ifdef __SANITIZE_THREAD__
 // Debian's Cyclone DDS is not built for the thread sanitizer, which therefore sees its memory being copied
@@ -22,8 +23,8 @@ extern "C" const char* __tsan_default_suppressions() { return "race:libddsc.so\n
 namespace underway::fixture {
 
 inline std::shared_ptr<const Domain> openDomain() {
-  const Expected<std::shared_ptr<const Domain>> domain = Domain::open(
-      {.id = 1 + static_cast<std::uint32_t>(getpid()) % Domain::kLargestId, .use_network = false});
+  const Expected<std::shared_ptr<const Domain>> domain =
+      Domain::open({.id = test::testDomain(), .use_network = false});
   EXPECT_TRUE(domain.has_value()) << domain.error().message;
   return *domain;
 }

@@ -272,7 +272,7 @@ int askFromHere(std::uint32_t domain_id) {
 }
 
 TEST(PlanClient, mayBeInAnotherProcess) {
-  const std::uint32_t domain_id = 1 + static_cast<std::uint32_t>(getpid()) % Domain::kLargestId;
+  const std::uint32_t domain_id = test::testDomain();
   const pid_t child = fork();  // before this process has threads
   ASSERT_GE(child, 0);
   if (child == 0) _exit(askFromHere(domain_id));
