@@ -220,7 +220,7 @@ struct Planner::State {
   mutable std::mutex published;
   Snapshot snapshot;
   std::vector<Snapshot> further;  // for what it does not answer; of the same world, each larger than the last
-  std::uint32_t most_first = 0;   // batches of a roadmap that answers first
+  std::uint32_t most_first = 0;   // batches that a roadmap may have to answer first
   std::timed_mutex growing;
   Growth growth;
   std::atomic<double> build_ms = 0.0;

@@ -15,7 +15,7 @@ namespace {
 /// By how much stops and crossings are moved, round by round. Coarse rounds also look through a corridor.
 constexpr std::array kCoarse_m{0.4, 0.2, 0.08};
 constexpr std::array kFine_m{0.03, 0.008, 0.002};
-constexpr std::array kWidening_m{0.2, 0.08, 0.03, 0.01};
+constexpr std::array kWidening_m{0.2, 0.08, 0.03, 0.01};  // tried in turn, until one step leads to a way
 constexpr std::size_t kReach = 6;  // stations ahead that legs lead to, when stops are to be left out
 constexpr std::size_t kStopsRound = 8;
 constexpr double kSamePoint_m = 1e-6;
