@@ -27,7 +27,7 @@ TEST(Gaps, FindsTheMiddleOfAPassageAndTheWayAcross) {
     EXPECT_NEAR(gap->width_m, 0.34, 1e-9);
     EXPECT_NEAR(gap->middle.y, 2.0, 1e-9);
     EXPECT_NEAR(std::abs(gap->across_rad), 1.5707963267948966, 1e-9);
-    EXPECT_LE(std::abs(gap->middle.x - 4.0), 0.1);
+    EXPECT_LE(std::abs(gap->middle.x - 4.0), 0.1 + 1e-9);
   }
   EXPECT_GT(found, 100);
 }
@@ -58,6 +58,39 @@ TEST(Gaps, LooksPastWhatDoesNotReachIntoTheSlabAndNotFurtherThanTheWidest) {
   const Gaps dut(roomWith({wall, shelf, far_wall}), kSlab, 0.6);
   for (int i = 0; i < 1000; ++i) ASSERT_FALSE(dut.draw(random).has_value());
   EXPECT_FALSE(Gaps(roomWith({}), kSlab, 0.6).draw(random).has_value());
+}
+
+TEST(Gaps, FindsTheGapBetweenCornersThatNoFaceLooksAcross) {
+  // A wall along x that ends where a post on the other side begins.
+  const Gaps dut(roomWith({{"wall", {{2.0, 1.5, 0.5}, {1.0, 0.2, 1.0}, {}}},
+                           {"post", {{2.6, 2.14, 0.5}, {0.2, 0.2, 1.0}, {}}}}),
+                 kSlab, 0.6);
+  std::mt19937_64 random(1);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i)
+    if (const auto gap = dut.draw(random)) {
+      ++found;
+      EXPECT_NEAR(gap->width_m, 0.44, 1e-9);
+      EXPECT_NEAR(gap->middle.x, 2.5, 1e-9);
+      EXPECT_NEAR(gap->middle.y, 1.82, 1e-9);
+      EXPECT_NEAR(std::abs(gap->across_rad), 1.5707963267948966, 1e-9);
+    }
+  EXPECT_GT(found, 10);
+}
+
+TEST(Gaps, FindsTheGapThatAnObstacleLeavesToTheBounds) {
+  const Pose corner{-3.0, 7.0, 2.0};
+  const Point at = transform(corner, {5.4, 2.0});
+  const Gaps dut(roomWith({{"post", {{at.x, at.y, 0.5}, {0.4, 0.4, 1.0}, {0.0, 0.0, corner.yaw}}}}, corner),
+                 kSlab, 0.6);
+  std::mt19937_64 random(1);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i)
+    if (const auto gap = dut.draw(random)) {
+      ++found;
+      EXPECT_NEAR(gap->width_m, 0.4, 1e-9);
+    }
+  EXPECT_GT(found, 10);
 }
 
 }  // namespace
