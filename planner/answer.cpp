@@ -13,6 +13,7 @@ namespace underway {
 namespace {
 
 constexpr double kClearanceStep_m = 1e-3;  // to which kSafest finds the largest clearance
+constexpr double kFarQuicker = 0.95;       // of a plan's time: worth looking at by priority's measure
 
 /// One way to answer, timed and with its clearances.
 Plan planOf(const Checker& checker, const Route& route, const Pose& start) {
@@ -66,7 +67,10 @@ class Answerer {
     if (!fastest) return std::nullopt;
     Plan plan = fastest->plan;
     if (by_priority) takeIfBetter(plan, by_priority->plan);
-    if (is_priority) return isDetour(plan, fastest->plan) ? fastest->plan : plan;
+    if (is_priority) {
+      if (isFarQuicker(fastest->plan, plan)) takeByPriority(plan, *fastest);
+      return isDetour(plan, fastest->plan) ? fastest->plan : plan;
+    }
     if (request_.policy == Policy::kSafest) takeSafer(plan, *fastest);
     if (interrupt_.isDueNow()) return std::nullopt;
     return plan;
@@ -89,13 +93,27 @@ class Answerer {
   }
 
   /// Whether the fastest plan can matter to priority: only against one that leaves the first mode and its
-  /// companions, or that takes far longer than the straight way would.
+  /// companions, or that takes longer than the straight way would.
   [[nodiscard]] bool mayBeBettered(const Plan& plan) const {
     const Stances& stances = planning_.by_priority;
     for (const Segment& segment : plan.segments)
       if (stances.groupOf(segment.motion.mode) != stances.groupOf(0)) return true;
     const double least_s = leastDistance() / planning_.fastest.highestSpeed();
-    return plan.total_time_s > 0.0 && plan.total_time_s >= request_.max_detour * least_s;
+    const double quicker = std::max(kFarQuicker, 1.0 / request_.max_detour);
+    return plan.total_time_s > 0.0 && quicker * plan.total_time_s >= least_s;
+  }
+
+  [[nodiscard]] static bool isFarQuicker(const Plan& fastest, const Plan& plan) {
+    return fastest.total_time_s < kFarQuicker * plan.total_time_s;
+  }
+
+  /// The quickest way, made by priority's measure: over the roadmap it takes a few steps sideways, say, where
+  /// its places lie badly, and priority goes a long way round; beside the places it may need none.
+  void takeByPriority(Plan& plan, const Found& fastest) {
+    const Stances& stances = planning_.by_priority;
+    Passage shortest =
+        shortened(checker_, stances, fastest.on_roadmap, keepingTo(fastest.on_roadmap), interrupt_);
+    if (const auto found = foundOn(fastest.on_roadmap, std::move(shortest))) takeIfBetter(plan, found->plan);
   }
 
   /// From the start to the nearest goal, as the crow flies.

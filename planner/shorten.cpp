@@ -169,7 +169,8 @@ Passage measuredBy(const Checker& checker, const Stances& stances, Passage passa
 
 Passage shortened(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,
                   Interrupt& interrupt) {
-  return Shortening(checker, stances, std::move(passage), keeping).best(interrupt);
+  return Shortening(checker, stances, measuredBy(checker, stances, std::move(passage)), keeping)
+      .best(interrupt);
 }
 
 Passage polished(const Checker& checker, const Stances& stances, Passage passage, const Keeping& keeping,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <thread>
 
@@ -75,6 +76,33 @@ TEST(Planner, PassesANarrowPlaceSidewaysAndABroadOneFrontally) {
   EXPECT_GT(metresIn(soundPlan(*plannerFor("scenario2b"), requestFor(kLeft, kRight)), kLateral), 0.3);
   EXPECT_EQ(metresIn(soundPlan(*plannerFor("scenario1"), requestFor(kLeft, kRightOfTheBlock)), kLateral),
             0.0);
+}
+
+TEST(Planner, LeavesASlotWhoseMouthIsNarrowedOnEitherSide) {
+  // 50 cm wide, faced to its end. Past the post that narrows the mouth to 44 cm the body and its margins have
+  // a centimetre to spare, 3 cm beside the slot's middle; between corners, no two faces stand opposite.
+  for (const double side : {1.0, -1.0})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const auto dut = plannerIn({{"left", {{1.4, 2.0 + 0.28, 0.5}, {0.8, 0.06, 1.0}, {}}},
+                                  {"right", {{1.4, 2.0 - 0.28, 0.5}, {0.8, 0.06, 1.0}, {}}},
+                                  {"end", {{0.97, 2.0, 0.5}, {0.06, 0.62, 1.0}, {}}},
+                                  {"post", {{1.85, 2.0 + side * 0.25, 0.5}, {0.1, 0.12, 1.0}, {}}}},
+                                 seed);
+      Request request = requestFor({1.3, 2.0, -std::numbers::pi}, {4.0, 2.0, 0.0});
+      request.goal_yaw.reset();
+      soundPlan(*dut, request);
+    }
+}
+
+TEST(Planner, GoesNoLongWayRoundToSpareAStepSidewaysThatItNeedNotTake) {
+  const auto dut = plannerFor("flat");
+  const Request by_priority =
+      requestFor({9.053716578, 2.079847485, 1.159552988}, {7.668776843, 1.170866059, 0.447467752});
+  Request fastest = by_priority;
+  fastest.policy = Policy::kFastest;
+  const Plan plan = soundPlan(*dut, by_priority);
+  EXPECT_EQ(metresIn(plan, kLateral), 0.0);
+  EXPECT_LT(plan.total_time_s, 1.2 * soundPlan(*dut, fastest).total_time_s);
 }
 
 TEST(Planner, GivesTheSamePlanForTheSameSeedAlsoFromTwoThreads) {
