@@ -188,7 +188,10 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"BenchmarkOfAMissingGrid", {"bench", "geometry", "--grid", "/nowhere.pgm"}, "/nowhere.pgm"},
         FlagCase{"OptionOfAnotherBenchmark", {"bench", "scenarios", "--quick"}, "--quick"},
         FlagCase{"CheckOfNothing", {"check", "/nowhere.json", "--map", "MAP"}, "/nowhere.json"},
-        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"}),
+        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"},
+        FlagCase{"NegativeSeed", planWords("MAP", {"--seed", "-1"}), "--seed: \"-1\""},
+        FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
+        FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""}),
     CaseName());
 
 TEST(BadInput, SwappedThresholdsAreRefused) {
