@@ -61,6 +61,15 @@ auto within(double least, double most) {
   };
 }
 
+/// How far along a plan says nothing without that plan.
+void refuseProgressOfNothing(const CLI::App& command) {
+  for (const char* const plan : {"--replan", "--stale"})
+    if (const CLI::Option* const option = command.get_option_no_throw(plan); option && option->count() > 0)
+      return;
+  for (const char* const flag : {"--segment", "--done", "--gain"})
+    if (command.count(flag) > 0) throw CLI::RequiresError(flag, "--replan");
+}
+
 Expected<std::uint64_t> parseWhole(const std::string& text) {
   std::uint64_t number = 0;
   const char* const end = text.data() + text.size();
@@ -194,6 +203,7 @@ void addReplan(CLI::App& command, FollowArguments& arguments) {
   addProgress(command, arguments);
   addParsed(command, "--gain", arguments.gain, within(0.0, 1.0), "F",
             "What a new plan must save of the time that is left, besides 2 s (0.1)");
+  command.parse_complete_callback([&command] { refuseProgressOfNothing(command); });
 }
 
 void addProgress(CLI::App& command, FollowArguments& arguments) {

@@ -191,7 +191,9 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"},
         FlagCase{"NegativeSeed", planWords("MAP", {"--seed", "-1"}), "--seed: \"-1\""},
         FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
-        FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""}),
+        FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""},
+        FlagCase{"SegmentOfNoPlan", planWords("MAP", {"--segment", "2"}), "--segment requires --replan"},
+        FlagCase{"DoneOfNoPlan", {"ask", "--start", "0,0,0", "--goal", "1,1", "--done", "0.5"}, "--done"}),
     CaseName());
 
 TEST(BadInput, SwappedThresholdsAreRefused) {
