@@ -189,6 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"OptionOfAnotherBenchmark", {"bench", "scenarios", "--quick"}, "--quick"},
         FlagCase{"CheckOfNothing", {"check", "/nowhere.json", "--map", "MAP"}, "/nowhere.json"},
         FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"},
+        FlagCase{"GaitOfAMap", {"gait", "crawl", "--gait", "MAP"}, "map.yaml:1: is not JSON; correct it"},
         FlagCase{"NegativeSeed", planWords("MAP", {"--seed", "-1"}), "--seed: \"-1\""},
         FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
         FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""},
