@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"BenchmarkOfAMissingGrid", {"bench", "geometry", "--grid", "/nowhere.pgm"}, "/nowhere.pgm"},
         FlagCase{"OptionOfAnotherBenchmark", {"bench", "scenarios", "--quick"}, "--quick"},
         FlagCase{"CheckOfNothing", {"check", "/nowhere.json", "--map", "MAP"}, "/nowhere.json"},
-        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"},
+        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "map.yaml\": the plan is not JSON: line 1"},
         FlagCase{"GaitOfAMap", {"gait", "crawl", "--gait", "MAP"}, "map.yaml:1: is not JSON; correct it"},
         FlagCase{"NegativeSeed", planWords("MAP", {"--seed", "-1"}), "--seed: \"-1\""},
         FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
