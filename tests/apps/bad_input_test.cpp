@@ -194,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
         FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""},
         FlagCase{"SegmentOfNoPlan", planWords("MAP", {"--segment", "2"}), "--segment requires --replan"},
-        FlagCase{"DoneOfNoPlan", {"ask", "--start", "0,0,0", "--goal", "1,1", "--done", "0.5"}, "--done"}),
+        FlagCase{"DoneOfNoPlan", {"ask", "--start", "0,0,0", "--goal", "1,1", "--done", "0.5"}, "--done"},
+        FlagCase{"FileWithoutAName", planWords("MAP", {"--json", ""}), "--json is empty"}),
     CaseName());
 
 TEST(BadInput, SwappedThresholdsAreRefused) {
