@@ -76,6 +76,7 @@ ExitCode runCommandLine(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that grows too large
   try {
     return static_cast<int>(runCommandLine(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/apps/program.hpp"
 
@@ -241,6 +243,33 @@ TEST(BadInput, AnOutputThatCannotBeWrittenIsSaid) {
   const std::string map = folder.write("map.yaml", kScenario);
   const Outcome run = runProgram({"query", "--map", map, "--pose", "1,1,0", "--json", "/nowhere/query.json"});
   expectOneSentence(run, 1, "/nowhere/query.json");
+}
+
+/// No file may grow above this while it lives, as on a disk that is full.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t most_bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{most_bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(BadInput, ADiskThatIsFullLeavesTheOldFileAndNoOther) {
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const std::string old = folder.write("plan.svg", "old");
+  const FileSizeLimit limit(4096);
+  expectOneSentence(runProgram(planWords(map, {"--svg", old})), 1, "plan.svg\": File too large");
+  EXPECT_EQ(readAll(old), "old");
+  const std::filesystem::directory_iterator files(std::filesystem::path(old).parent_path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }
 
 }  // namespace
