@@ -61,6 +61,24 @@ auto within(double least, double most) {
   };
 }
 
+/// How far along a plan says nothing without that plan.
+void refuseProgressOfNothing(const CLI::App& command) {
+  for (const char* const plan : {"--replan", "--stale"})
+    if (const CLI::Option* const option = command.get_option_no_throw(plan); option && option->count() > 0)
+      return;
+  for (const char* const flag : {"--segment", "--done", "--gain"})
+    if (command.count(flag) > 0) throw CLI::RequiresError(flag, "--replan");
+}
+
+Expected<std::uint64_t> parseWhole(const std::string& text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && stopped == end) return number;
+  return fail(ErrorCode::kInvalidRequest,
+              "\"" + text + "\" is not a whole number from 0 to 18446744073709551615");
+}
+
 Expected<ModeId> modeOf(const std::string& mode_name, const std::string& flag, const Robot& robot) {
   if (mode_name.empty()) return ModeId{0};
   if (const std::optional<ModeId> mode = robot.findMode(mode_name)) return *mode;
@@ -185,6 +203,7 @@ void addReplan(CLI::App& command, FollowArguments& arguments) {
   addProgress(command, arguments);
   addParsed(command, "--gain", arguments.gain, within(0.0, 1.0), "F",
             "What a new plan must save of the time that is left, besides 2 s (0.1)");
+  command.parse_complete_callback([&command] { refuseProgressOfNothing(command); });
 }
 
 void addProgress(CLI::App& command, FollowArguments& arguments) {
@@ -213,8 +232,13 @@ void addDomain(CLI::App& command, DomainSettings& domain) {
   command.add_flag("--network", domain.use_network, "Meet other machines too, not only this one");
 }
 
+CLI::Option* addWhole(CLI::App& command, const std::string& flag, std::uint64_t& number,
+                      const std::string& help) {
+  return addParsed(command, flag, number, parseWhole, "N", help);
+}
+
 void addSeed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "Of the roadmap's random numbers (1)")->type_name("N");
+  addWhole(command, "--seed", seed, "Of the roadmap's random numbers (1)");
 }
 
 void addRoadmap(CLI::App& command, std::string& file) {

@@ -79,7 +79,10 @@ CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<P
                      const std::string& help);
 /// --domain and --network: where robots and servers meet.
 void addDomain(CLI::App& command, DomainSettings& domain);
-/// --seed; the range of a 64 bit number.
+/// A whole number from 0 to the largest of 64 bits, and nothing else. (CLI11 takes -1 for that largest one.)
+CLI::Option* addWhole(CLI::App& command, const std::string& flag, std::uint64_t& number,
+                      const std::string& help);
+/// --seed.
 void addSeed(CLI::App& command, std::uint64_t& seed);
 /// --roadmap: the file in which a roadmap outlives the program (roadmap_store.hpp).
 void addRoadmap(CLI::App& command, std::string& file);

@@ -106,8 +106,7 @@ Subcommand addChangeCommand(CLI::App& program) {
                   "All obstacles whose ids begin so go; there may be none. NAME. is what robot NAME saw")
       ->type_name("BEGINNING")
       ->allow_extra_args(false);
-  command.add_option("--if-revision", arguments->if_revision, "Only if the world is at this revision")
-      ->type_name("N");
+  addWhole(command, "--if-revision", arguments->if_revision, "Only if the world is at this revision");
   command.add_option("--robot-name", arguments->robot_name, "Who asks (operator)")->type_name("NAME");
   addDomain(command, arguments->domain);
   command.add_option("--json", arguments->json, "Write the answer; - for standard output")

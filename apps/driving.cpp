@@ -16,7 +16,7 @@ void addTruth(CLI::App& command, TruthArguments& arguments) {
       .add_option("--noise", arguments.noise, "Times the honest noise of sensors and gaits, 0.01 to 10 (1)")
       ->type_name("F")
       ->check(CLI::Range(0.01, 10.0));
-  command.add_option("--seed", arguments.seed, "Of the simulated robot's noise (1)")->type_name("N");
+  addWhole(command, "--seed", arguments.seed, "Of the simulated robot's noise (1)");
 }
 
 CLI::Option* addRate(CLI::App& command, double& rate, const std::string& help) {

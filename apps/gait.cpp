@@ -81,7 +81,10 @@ std::string figuresOf(const gait::GaitFile& file, const gait::Envelope& room, co
   add("room", fmt::format("{:.0f} mm behind to {:.0f} mm ahead of the hips, {:.0f} mm to each side",
                           -1e3 * room.low.x(), 1e3 * room.high.x(), 1e3 * room.high.y()));
   add("stability",
-      fmt::format("centre of mass at least {:.0f} mm inside its support", 1e3 * room.least_margin_m));
+      room.least_margin_m >= 0.0
+          ? fmt::format("centre of mass at least {:.0f} mm inside its support", 1e3 * room.least_margin_m)
+          : fmt::format("at rest it would tip over: centre of mass up to {:.0f} mm outside its support",
+                        -1e3 * room.least_margin_m));
   return table.text(wantsColour());
 }
 

@@ -81,7 +81,8 @@ Expected<FollowedPlan> readFollowed(const FollowArguments& arguments, const Robo
   const Expected<std::string> text = readText(arguments.file());
   if (!text) return tl::unexpected(text.error());
   Expected<PlanDocument> document = planFromJson(*text, robot);
-  if (!document) return tl::unexpected(document.error());
+  if (!document)
+    return fail(document.error().code, "\"" + arguments.file() + "\": " + document.error().message);
   if (!document->answer)
     return fail(ErrorCode::kInvalidRequest, "\"" + arguments.file() + "\" holds no plan but a failure (" +
                                                 std::string(name(document->answer.error().code)) +

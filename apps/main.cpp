@@ -1,11 +1,13 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
+#include "apps/text_file.hpp"
 
 namespace {
 
@@ -18,6 +20,26 @@ constexpr const char* kExamples =
     "  underway serve --map maps/scenario3.yaml &\n"
     "  underway ask --start 0.6,2,0 --goal 5.4,2,0\n"
     "'underway COMMAND --help' tells more about each.";
+
+ExitCode help(const CLI::App& program, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  program.exit(asked, text, text);
+  const underway::Expected<void> written = underway::writeOutput(text.str());
+  if (written) return ExitCode::kDone;
+  underway::complain(written.error().message);
+  return ExitCode::kOther;
+}
+
+/// The name of an option that was given with nothing in it, as an unset variable of a shell does it; empty if
+/// there is none.
+std::string emptyOption(const CLI::App& command) {
+  for (const CLI::Option* const option : command.get_options())
+    for (const std::string& text : option->results())
+      if (text.empty()) return option->get_name();
+  for (const CLI::App* const subcommand : command.get_subcommands())
+    if (std::string name = emptyOption(*subcommand); !name.empty()) return name;
+  return {};
+}
 
 ExitCode runCommandLine(int argc, char** argv) {
   CLI::App program("Plans how a humanoid gets from here to there: walking, sidestepping, crawling.",
@@ -34,8 +56,12 @@ ExitCode runCommandLine(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // --help
+    if (error.get_exit_code() == 0) return help(program, error);
     underway::complain(error.what());
+    return ExitCode::kInvalidInput;
+  }
+  if (const std::string flag = emptyOption(program); !flag.empty()) {
+    underway::complain(flag + " is empty; leave it out, or say what");
     return ExitCode::kInvalidInput;
   }
   for (const Subcommand& command : commands)
@@ -50,6 +76,7 @@ ExitCode runCommandLine(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that grows too large
   try {
     return static_cast<int>(runCommandLine(argc, argv));
   } catch (const std::bad_alloc&) {

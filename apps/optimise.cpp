@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "apps/arguments.hpp"
 #include "apps/chart.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
@@ -159,7 +160,7 @@ std::function<ExitCode()> addOptimise(CLI::App& gait_command, CLI::App*& command
   command->add_option("--method", arguments->method, "NLopt's, or the thesis' genetic algorithm")
       ->check(CLI::IsMember({"descent", "genetic"}))
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Of the random numbers")->capture_default_str();
+  addWhole(*command, "--seed", arguments->seed, "Of the random numbers (1)");
   command->add_option("--evaluations", arguments->evaluations, "At most")
       ->check(CLI::Range(200, 10'000'000))
       ->capture_default_str();

@@ -14,6 +14,22 @@ namespace fs = std::filesystem;
 
 std::string lastReason() { return std::generic_category().message(errno); }
 
+/// `named`: the file that a failure speaks of.
+Expected<void> writeInto(const fs::path& file, std::string_view text, const fs::path& named) {
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (stream) return {};
+  return fail(ErrorCode::kInternal, "cannot write \"" + named.string() + "\": " + lastReason());
+}
+
+/// Not a pipe, a device or a link: what is written goes to where they lead.
+bool mayBeReplaced(const fs::path& file) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(file, error).type();
+  return type == fs::file_type::not_found || type == fs::file_type::regular;
+}
+
 }  // namespace
 
 Expected<std::string> readText(const fs::path& file) {
@@ -33,17 +49,13 @@ Expected<std::string> readText(const fs::path& file) {
 }
 
 Expected<void> writeText(const fs::path& file, std::string_view text) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (stream) return {};
-  return fail(ErrorCode::kInternal, "cannot write \"" + file.string() + "\": " + lastReason());
+  return mayBeReplaced(file) ? replaceText(file, text) : writeInto(file, text, file);
 }
 
 Expected<void> replaceText(const fs::path& file, std::string_view text) {
   const fs::path fresh = file.string() + ".new" + std::to_string(getpid());
   std::error_code error;
-  Expected<void> written = writeText(fresh, text);
+  Expected<void> written = writeInto(fresh, text, file);
   if (written) {
     fs::rename(fresh, file, error);
     if (error)

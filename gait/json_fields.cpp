@@ -78,8 +78,12 @@ std::optional<GaitError> JsonFields::fault() const {
 GaitExpected<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
   try {
     return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    return tl::unexpected(GaitError{where + " is not JSON (" + error.what() + "); correct it"});
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::string_view read = text.substr(0, error.byte);
+    return tl::unexpected(GaitError{where + ":" + std::to_string(1 + std::ranges::count(read, '\n')) +
+                                    ": is not JSON; correct it"});
+  } catch (const nlohmann::json::exception&) {  // 1e999 is JSON, but no double
+    return tl::unexpected(GaitError{where + " holds a number that is too large; give finite numbers"});
   }
 }
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/apps/program.hpp"
 
@@ -188,7 +190,14 @@ INSTANTIATE_TEST_SUITE_P(
         FlagCase{"BenchmarkOfAMissingGrid", {"bench", "geometry", "--grid", "/nowhere.pgm"}, "/nowhere.pgm"},
         FlagCase{"OptionOfAnotherBenchmark", {"bench", "scenarios", "--quick"}, "--quick"},
         FlagCase{"CheckOfNothing", {"check", "/nowhere.json", "--map", "MAP"}, "/nowhere.json"},
-        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "JSON"}),
+        FlagCase{"CheckOfAMap", {"check", "MAP", "--map", "MAP"}, "map.yaml\": the plan is not JSON: line 1"},
+        FlagCase{"GaitOfAMap", {"gait", "crawl", "--gait", "MAP"}, "map.yaml:1: is not JSON; correct it"},
+        FlagCase{"NegativeSeed", planWords("MAP", {"--seed", "-1"}), "--seed: \"-1\""},
+        FlagCase{"SeedOf65Bits", planWords("MAP", {"--seed", "18446744073709551616"}), "--seed"},
+        FlagCase{"NegativeRevision", {"change", "--if-revision", "-1"}, "--if-revision: \"-1\""},
+        FlagCase{"SegmentOfNoPlan", planWords("MAP", {"--segment", "2"}), "--segment requires --replan"},
+        FlagCase{"DoneOfNoPlan", {"ask", "--start", "0,0,0", "--goal", "1,1", "--done", "0.5"}, "--done"},
+        FlagCase{"FileWithoutAName", planWords("MAP", {"--json", ""}), "--json is empty"}),
     CaseName());
 
 TEST(BadInput, SwappedThresholdsAreRefused) {
@@ -234,6 +243,33 @@ TEST(BadInput, AnOutputThatCannotBeWrittenIsSaid) {
   const std::string map = folder.write("map.yaml", kScenario);
   const Outcome run = runProgram({"query", "--map", map, "--pose", "1,1,0", "--json", "/nowhere/query.json"});
   expectOneSentence(run, 1, "/nowhere/query.json");
+}
+
+/// No file may grow above this while it lives, as on a disk that is full.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t most_bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{most_bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(BadInput, ADiskThatIsFullLeavesTheOldFileAndNoOther) {
+  const Folder folder;
+  const std::string map = folder.write("map.yaml", kScenario);
+  const std::string old = folder.write("plan.svg", "old");
+  const FileSizeLimit limit(4096);
+  expectOneSentence(runProgram(planWords(map, {"--svg", old})), 1, "plan.svg\": File too large");
+  EXPECT_EQ(readAll(old), "old");
+  const std::filesystem::directory_iterator files(std::filesystem::path(old).parent_path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }
 
 }  // namespace

@@ -99,6 +99,14 @@ TEST(GaitCommand, OptimisesAGaitThatCanBeCrawled) {
   EXPECT_NE(none.errors.find("allow more height"), std::string::npos) << none.errors;
 }
 
+TEST(GaitCommand, SaysThatACrawlWouldTipOver) {
+  const Outcome straight = runProgram({"gait", "crawl", "--gait", "narrow"});
+  EXPECT_NE(straight.output.find("inside its support"), std::string::npos) << straight.output;
+  const Outcome turning = runProgram({"gait", "crawl", "--gait", "narrow", "--turn-rad", "0.03"});
+  EXPECT_EQ(turning.exit_code, 0) << turning.errors;
+  EXPECT_NE(turning.output.find("at rest it would tip over"), std::string::npos) << turning.output;
+}
+
 TEST(GaitCommand, RefusesWithASentence) {
   const Folder folder;
   const std::string broken = folder.write("broken.json", "{\"name\": \"x\"}");
