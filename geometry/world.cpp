@@ -111,6 +111,8 @@ Expected<World> World::make(std::string name, Bounds bounds, double floor_z_m,
     if (const std::string fault = faultOf(obstacle); !fault.empty()) return refuse(fault);
     world.fingerprint_ += fingerprintOf(obstacle);
   }
+  std::sort(obstacles.begin(), obstacles.end(),
+            [](const Obstacle& a, const Obstacle& b) { return a.id < b.id; });
   std::optional<std::string> twin;
   world.obstacles_ = Obstacles(std::move(obstacles), twin);
   if (twin) return refuse("obstacle id \"" + *twin + "\" is given twice");

@@ -33,7 +33,8 @@ struct Bounds {
 class World {
  public:
   /// Refuses, as kInvalidMap and with the obstacle's id: sizes that are not positive, numbers that are not
-  /// finite or beyond kLargest_m, ids given twice, bounds without an inside.
+  /// finite or beyond kLargest_m, ids given twice, bounds without an inside. The obstacles are sorted by id:
+  /// of whatever order they are given in, the same comes of them.
   [[nodiscard]] static Expected<World> make(std::string name, Bounds bounds, double floor_z_m,
                                             std::vector<Obstacle> obstacles);
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/planner.hpp"
@@ -84,6 +85,33 @@ TEST(Answers, StayTheSameWhenWorldAndQueryAreMovedTurnedOrMirrored) {
   }
   EXPECT_GT(solved, 8);
   EXPECT_LT(undecided, 10) << "most questions are decided in time";
+}
+
+TEST(Answers, AreTheSamePlanInWhateverOrderTheObstaclesAreGiven) {
+  constexpr unsigned kSeed = 3;
+  test::RandomWorld random(kSeed);
+  int solved = 0;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Obstacle> obstacles;
+    for (int i = 0; i < 12; ++i) obstacles.push_back({"box_" + std::to_string(i), random.box(true)});
+    const Request request = test::requestFor(random.pose(), random.pose());
+    const auto planIn = [&](const std::vector<Obstacle>& given) {
+      const auto world = World::make("room", {{-1.0, -1.0, 0.0}, 6.0, 6.0}, 0.0, given);
+      Planner dut(std::make_shared<const World>(*world), test::smallRobot());
+      return dut.plan(request, Planner::Clock::now() + std::chrono::milliseconds(500));
+    };
+    const auto plan = planIn(obstacles);
+    if (!plan) continue;
+    ++solved;
+    std::reverse(obstacles.begin(), obstacles.end());
+    std::swap(obstacles[2], obstacles[7]);
+    const auto other = planIn(obstacles);
+    ASSERT_TRUE(other) << "round " << round << ": " << other.error().message;
+    ASSERT_EQ(other->segments.size(), plan->segments.size()) << "seed " << kSeed << " round " << round;
+    for (std::size_t i = 0; i < plan->segments.size(); ++i)
+      EXPECT_EQ(other->segments[i].motion, plan->segments[i].motion) << "round " << round;
+  }
+  EXPECT_GT(solved, 5);
 }
 
 }  // namespace

@@ -53,10 +53,10 @@ TEST_F(MapServer, TheWorldHasWallsWithinTheImagesBounds) {
   EXPECT_EQ(dut->world.floorZ(), 0.0);
   EXPECT_EQ(dut->world.bounds(), (Bounds{{1.0, 2.0, 0.25}, 1.5, 1.0}));
   ASSERT_EQ(dut->world.obstacles().size(), 2u);
-  EXPECT_EQ(dut->world.obstacles()[0].id, "wall_2_0");
-  EXPECT_EQ(dut->world.obstacles()[1].id, "wall_0_1");
-  EXPECT_EQ(dut->world.obstacles()[1].box.size_m, (Vec3{1.0, 0.5, 10.0}));
-  EXPECT_EQ(dut->world.obstacles()[1].box.center_m.z, 5.0);
+  EXPECT_EQ(dut->world.obstacles()[0].id, "wall_0_1");
+  EXPECT_EQ(dut->world.obstacles()[0].box.size_m, (Vec3{1.0, 0.5, 10.0}));
+  EXPECT_EQ(dut->world.obstacles()[0].box.center_m.z, 5.0);
+  EXPECT_EQ(dut->world.obstacles()[1].id, "wall_2_0");
   EXPECT_TRUE(dut->queries.empty());
 }
 

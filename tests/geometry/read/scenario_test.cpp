@@ -38,8 +38,8 @@ TEST_F(Scenario, GivesTheWorldItDescribes) {
   EXPECT_EQ(dut->world.name(), "room");
   EXPECT_EQ(dut->world.floorZ(), 0.1);
   EXPECT_EQ(dut->world.bounds(), (Bounds{{-1.0, 0.0, 0.0}, 7.0, 4.0}));
-  const std::vector<Obstacle> expected{{"wall", {{2.0, 0.9, 0.5}, {0.1, 1.8, 1.0}, {0.1, 0.2, 0.3}}},
-                                       {"table", {{4.0, 2.0, 0.65}, {0.4, 0.8, 0.7}, {}}}};
+  const std::vector<Obstacle> expected{{"table", {{4.0, 2.0, 0.65}, {0.4, 0.8, 0.7}, {}}},
+                                       {"wall", {{2.0, 0.9, 0.5}, {0.1, 1.8, 1.0}, {0.1, 0.2, 0.3}}}};
   const Obstacles& dut_obstacles = dut->world.obstacles();
   EXPECT_EQ(std::vector<Obstacle>(dut_obstacles.begin(), dut_obstacles.end()), expected);
 }
