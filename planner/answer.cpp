@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
 
 #include "planner/attach.hpp"
 #include "planner/certify.hpp"
@@ -63,7 +64,7 @@ class Answerer {
       if (!by_priority) return std::nullopt;
       if (is_priority && !mayBeBettered(by_priority->plan)) return std::move(by_priority->plan);
     }
-    auto fastest = find(planning_.fastest, by_priority ? &*by_priority : nullptr);
+    const auto fastest = by_priority ? fastestBeside(*by_priority) : find(planning_.fastest);
     if (!fastest) return std::nullopt;
     Plan plan = fastest->plan;
     if (by_priority) takeIfBetter(plan, by_priority->plan);
@@ -110,10 +111,8 @@ class Answerer {
   /// The quickest way, made by priority's measure: over the roadmap it takes a few steps sideways, say, where
   /// its places lie badly, and priority goes a long way round; beside the places it may need none.
   void takeByPriority(Plan& plan, const Found& fastest) {
-    const Stances& stances = planning_.by_priority;
-    Passage shortest =
-        shortened(checker_, stances, fastest.on_roadmap, keepingTo(fastest.on_roadmap), interrupt_);
-    if (const auto found = foundOn(fastest.on_roadmap, std::move(shortest))) takeIfBetter(plan, found->plan);
+    if (const auto found = shortenedOn(fastest.on_roadmap, planning_.by_priority))
+      takeIfBetter(plan, found->plan);
   }
 
   /// From the start to the nearest goal, as the crow flies.
@@ -134,11 +133,16 @@ class Answerer {
     const double most_m = mostClearance();
     if (leastClearance(plan) >= most_m) return;
     if (const double clearance = largestClearance(most_m); clearance > checker_.robot().margin_m)
-      if (const auto widest = find(Stances(checker_, Policy::kFastest, clearance))) {
+      if (const auto widest = find(fastestKeeping(clearance))) {
         takeIfBetter(plan, widest->plan);
         takeWidened(plan, *widest, most_m);
       }
     takeWidened(plan, fastest, most_m);
+  }
+
+  /// Passages that it has measured point to it.
+  const Stances& fastestKeeping(double clearance_m) {
+    return by_clearance_.try_emplace(clearance_m, checker_, Policy::kFastest, clearance_m).first->second;
   }
 
   /// What is found beside a way, with more clearance than the plan has, or as much, for it may be quicker.
@@ -146,8 +150,7 @@ class Answerer {
     double has_m = leastClearance(plan);
     Passage passage = beside.shortest;
     const auto widen = [&](double to_m) {
-      const Stances stances(checker_, Policy::kFastest, to_m);
-      auto wider = widened(checker_, stances, passage, keepingTo(passage), interrupt_);
+      auto wider = widened(checker_, fastestKeeping(to_m), passage, keepingTo(passage), interrupt_);
       if (wider) passage = *std::move(wider), has_m = to_m;
       return wider.has_value();
     };
@@ -159,9 +162,8 @@ class Answerer {
       else
         more_m *= 0.5;
     if (!is_wider && !widen(has_m)) return;
-    const Stances stances(checker_, Policy::kFastest, has_m);
-    Passage shortest = shortened(checker_, stances, passage, keepingTo(passage), interrupt_);
-    if (const auto found = foundOn(std::move(passage), std::move(shortest))) takeIfBetter(plan, found->plan);
+    if (const auto found = shortenedOn(std::move(passage), fastestKeeping(has_m)))
+      takeIfBetter(plan, found->plan);
   }
 
   /// The most that a plan can have: what the start and the best goal have, up to the enough.
@@ -189,17 +191,30 @@ class Answerer {
                   Cost::time(other.cost.us()));
   }
 
-  /// `by_priority`: found before. Where there is no quicker way over the roadmap, what was shortened there is
-  /// only polished.
-  std::optional<Found> find(const Stances& stances, const Found* by_priority = nullptr) {
-    auto on_roadmap = by_priority ? quickerThan(by_priority->on_roadmap, stances) : passageBy(stances);
-    const bool is_same = !on_roadmap && by_priority;
-    if (is_same) on_roadmap = by_priority->on_roadmap;
+  std::optional<Found> find(const Stances& stances) {
+    auto on_roadmap = passageBy(stances);
     if (!on_roadmap) return std::nullopt;
-    const Keeping keeping = keepingTo(*on_roadmap);
-    Passage shortest = is_same ? polished(checker_, stances, by_priority->shortest, keeping, interrupt_)
-                               : shortened(checker_, stances, *on_roadmap, keeping, interrupt_);
-    return foundOn(*std::move(on_roadmap), std::move(shortest));
+    return shortenedOn(*std::move(on_roadmap), stances);
+  }
+
+  std::optional<Found> shortenedOn(Passage on_roadmap, const Stances& stances) {
+    Passage shortest = shortened(checker_, stances, on_roadmap, keepingTo(on_roadmap), interrupt_);
+    return foundOn(std::move(on_roadmap), std::move(shortest));
+  }
+
+  /// The quickest, beside what was found by priority: that is only polished, since it is short already, and a
+  /// quicker way over the roadmap need not be quicker once both are as short as they can be.
+  std::optional<Found> fastestBeside(const Found& by_priority) {
+    const Stances& stances = planning_.fastest;
+    const Passage& on_roadmap = by_priority.on_roadmap;
+    auto same_way = foundOn(
+        on_roadmap, polished(checker_, stances, by_priority.shortest, keepingTo(on_roadmap), interrupt_));
+    auto other_on_roadmap = quickerThan(on_roadmap, stances);
+    if (!other_on_roadmap) return same_way;
+    auto other_way = shortenedOn(*std::move(other_on_roadmap), stances);
+    const bool is_quicker =
+        other_way && (!same_way || other_way->plan.total_time_s < same_way->plan.total_time_s);
+    return is_quicker ? other_way : same_way;
   }
 
   [[nodiscard]] Keeping keepingTo(const Passage& passage) const {
@@ -207,11 +222,19 @@ class Answerer {
     return {graph_.place(target_.start).keep_m, graph_.place(goal.place).keep_m};
   }
 
+  [[nodiscard]] static bool moves(const Passage& passage) {
+    return std::any_of(passage.steps.begin(), passage.steps.end(), [](const Passage::Step& step) {
+      return step.way.has_value() || !step.option.motions.empty();
+    });
+  }
+
+  /// Nothing, too, where rounding has spoilt both.
   std::optional<Found> foundOn(Passage on_roadmap, Passage shortest) {
     if (interrupt_.isDueNow()) return std::nullopt;
-    const Route route = routeOf(shortest);
-    Plan plan =
-        planOf(checker_, joined(checker_, route.empty() ? routeOf(on_roadmap) : route), request_.start);
+    Route route = routeOf(shortest);
+    if (route.empty()) route = routeOf(on_roadmap);
+    if (route.empty() && moves(on_roadmap)) return std::nullopt;
+    Plan plan = planOf(checker_, joined(checker_, route), request_.start);
     plan.goal_index = target_.goals[on_roadmap.goal].index;
     return Found{std::move(on_roadmap), std::move(shortest), std::move(plan)};
   }
@@ -219,7 +242,7 @@ class Answerer {
   /// The largest clearance that any way over the roadmap keeps, up to the most, to kClearanceStep_m.
   double largestClearance(double most_m) {
     const auto is_kept = [&](double clearance_m) {
-      return passageBy(Stances(checker_, Policy::kFastest, clearance_m)).has_value();
+      return passageBy(fastestKeeping(clearance_m)).has_value();
     };
     double has = checker_.robot().margin_m;
     double lacks = most_m;
@@ -238,6 +261,7 @@ class Answerer {
   const Target& target_;
   Interrupt& interrupt_;
   LinkChecks checks_;
+  std::map<double, Stances> by_clearance_;
   std::optional<Pose> nearest_;
 };
 

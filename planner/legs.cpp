@@ -194,7 +194,10 @@ bool Legs::turnsFreely(Point at, double keep_m) const {
 
 TurningRoom Legs::roomAt(Point at, const Stance& stance, double keep_m) const {
   if (!are_alike_ || keep_m < robot_.margin_m) return {};
-  return checker_.turningRoom(stance.mode, {at.x, at.y, stance.yaw}, clearanceFor(keep_m));
+  const Pose pose{at.x, at.y, stance.yaw};
+  // Where a start has less room than is asked for, what can be turned from there means nothing.
+  if (at_least_m_ > robot_.margin_m && !isFree(stay(stance.mode, pose), keep_m)) return {};
+  return checker_.turningRoom(stance.mode, pose, clearanceFor(keep_m));
 }
 
 Cost Legs::freeChangeCost(Point at, const Stance& from, const TurningRoom& room, const Stance& to,
