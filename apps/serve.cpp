@@ -2,7 +2,9 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "apps/commands.hpp"
 #include "apps/inputs.hpp"
@@ -100,12 +102,35 @@ void prepare(Planner& planner, std::chrono::milliseconds most, const std::stop_t
       Planner::Clock::now() + most, [&](double share) { bar.show(share); }, stop);
 }
 
-Expected<void> announce(const std::string& ready_file) {
-  if (const Expected<void> written = writeOutput("ready\n"); !written) return written;
-  return ready_file.empty() ? Expected<void>{} : writeText(ready_file, "ready\n");
-}
+/// Says that the server answers, by a file that is there for as long as it does. One that an earlier server
+/// has left goes first; anything else of that name stays until it is written over.
+class ReadyFile {
+ public:
+  explicit ReadyFile(std::string file) : file_(std::move(file)) { remove(); }
+  ~ReadyFile() { remove(); }
+  ReadyFile(const ReadyFile&) = delete;
+  ReadyFile& operator=(const ReadyFile&) = delete;
+
+  [[nodiscard]] Expected<void> announce() const {
+    const Expected<void> written = file_.empty() ? Expected<void>{} : writeText(file_, kReady);
+    return written ? writeOutput(kReady) : written;
+  }
+
+ private:
+  static constexpr const char* kReady = "ready\n";
+
+  void remove() const {
+    std::error_code error;
+    if (file_.empty() || !std::filesystem::is_regular_file(file_, error)) return;
+    if (const Expected<std::string> text = readText(file_); text && *text == kReady)
+      std::filesystem::remove(file_, error);
+  }
+
+  std::string file_;
+};
 
 Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
+  const ReadyFile ready(arguments.ready_file);
   const Expected<Site> site = readSite(arguments.map, arguments.robot);
   if (!site) return tl::unexpected(site.error());
   const auto domain = Domain::open(arguments.domain);
@@ -133,7 +158,7 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   const auto roadmap = planner->roadmap();
   log->info("serving map {} for robot {} in domain {}: {} nodes, {} edges", printable(site->world->name()),
             printable(site->robot->name), arguments.domain.id, roadmap->node_count, roadmap->edge_count);
-  if (const Expected<void> announced = announce(arguments.ready_file); !announced) return announced;
+  if (const Expected<void> announced = ready.announce(); !announced) return announced;
   Expected<void> served = service->wait();
   changes->stop();
   if (const Expected<void> changed = changes->wait(); served && !changed) served = changed;
@@ -167,7 +192,9 @@ Subcommand addServeCommand(CLI::App& program) {
       .add_option("--prepare-ms", arguments->prepare_ms,
                   "Longest time for growing the roadmap at first (30000)")
       ->type_name("N");
-  command.add_option("--ready-file", arguments->ready_file, "Write this file once it answers")
+  command
+      .add_option("--ready-file", arguments->ready_file,
+                  "Write this file once it answers, and remove it when it ends")
       ->type_name("FILE");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};

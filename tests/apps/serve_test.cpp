@@ -66,6 +66,23 @@ TEST(Serve, KeepsItsRoadmapFromOneRunToTheNext) {
   EXPECT_EQ(second, plain);
 }
 
+TEST(Serve, KeepsTheReadyFileForAsLongAsItAnswers) {
+  const Folder folder;
+  const std::string file = folder.write("ready", "ready\n");  // a server that was killed has left it
+  {
+    Server server(serveWords({"--ready-file", file, "--prepare-ms", "0"}));
+    ASSERT_EQ(server.firstLine(), "ready");
+    EXPECT_EQ(readAll(file), "ready\n");
+    EXPECT_EQ(server.stop(SIGTERM), 0);
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+  // One that never gets as far leaves no old one either.
+  folder.write("ready", "ready\n");
+  const Outcome failed = runProgram({"serve", "--map", folder.path("missing.yaml"), "--ready-file", file});
+  EXPECT_NE(failed.exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(Serve, SavesWhatRequestsHaveMadeItGrow) {
   const Folder folder;
   const std::string file = folder.path("a.roadmap");
