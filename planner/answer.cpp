@@ -68,13 +68,10 @@ class Answerer {
     if (!fastest) return std::nullopt;
     Plan plan = fastest->plan;
     if (by_priority) takeIfBetter(plan, by_priority->plan);
-    if (is_priority) {
-      if (isFarQuicker(fastest->plan, plan)) takeByPriority(plan, *fastest);
-      return isDetour(plan, fastest->plan) ? fastest->plan : plan;
-    }
+    if (is_priority && isFarQuicker(fastest->plan, plan)) takeByPriority(plan, *fastest);
     if (request_.policy == Policy::kSafest) takeSafer(plan, *fastest);
     if (interrupt_.isDueNow()) return std::nullopt;
-    return plan;
+    return is_priority && isDetour(plan, fastest->plan) ? fastest->plan : plan;
   }
 
   /// Where a search that found nothing came nearest to the goal.
