@@ -88,6 +88,8 @@ Next Executor::next() const {
 void Executor::beginSegment() {
   best_progress_ = -1.0;
   idle_s_ = 0.0;
+  looked_s_ = 0.0;
+  is_looking_ = false;
   shift_m_ = 0.0;
   if (const Segment* segment = current()) {
     follow_.begin(*segment, belief_.pose(), *checker_);
@@ -145,7 +147,9 @@ Situation Executor::situation(const Senses& senses) {
 bool Executor::isBlocked() {
   const Segment* segment = current();
   if (segment == nullptr) return false;
-  constexpr double kPatience = 4.0;  // aligning takes longer
+  constexpr double kLongestLook_s = 40.0;  // once round
+  constexpr double kPatience = 4.0;        // aligning takes longer
+  if (looked_s_ > kLongestLook_s) return true;
   if (idle_s_ > settings_.stuck_after_s * (state_ == State::kAligning ? kPatience : 1.0)) return true;
   const Motion& motion = segment->motion;
   if (motion.kind == MotionKind::kTurn) return surroundings_.isTurnBlocked(belief_.pose());
@@ -178,7 +182,26 @@ Command Executor::commandFor(const Senses& senses) {
   }
 }
 
+/// Before it goes backwards over floor that no beam has passed, where it has room to turn. It turns until
+/// that is seen, and then back.
+bool Executor::hasToLook() const {
+  const Motion& motion = current()->motion;
+  if (motion.kind != MotionKind::kTranslate || motion.sense != Sense::kBackward) return false;
+  return !surroundings_.isFloorSeen(motion, onLane(motion, belief_.pose()).along_m) &&
+         checker_->isFreeAllRound(motion.mode, belief_.pose().position(), robot_->margin_m);
+}
+
 Velocity Executor::walkOn(const Senses& senses) {
+  constexpr double kBack_rad = 0.05;
+  if (hasToLook()) {
+    is_looking_ = true;
+    looked_s_ += settings_.tick_s;
+    idle_s_ = -looked_s_;  // as long to turn back
+    return surroundings_.guarded({0.0, 0.0, limits_.turn_radps});
+  }
+  const double turned = normalizedAngle(belief_.pose().yaw - current()->motion.from.yaw);
+  is_looking_ = is_looking_ && std::abs(turned) > kBack_rad;
+  if (is_looking_) return surroundings_.guarded({0.0, 0.0, std::copysign(limits_.turn_radps, -turned)});
   return surroundings_.guarded(follow_.along(*current(), belief_.pose(), senses.scan, shift_m_));
 }
 

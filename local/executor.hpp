@@ -67,6 +67,7 @@ class Executor {
   [[nodiscard]] Situation situation(const Senses& senses);
   [[nodiscard]] Command commandFor(const Senses& senses);
   [[nodiscard]] Velocity walkOn(const Senses& senses);
+  [[nodiscard]] bool hasToLook() const;
   [[nodiscard]] Velocity crawlOn();
   [[nodiscard]] double lookRad(double now_s) const;
   [[nodiscard]] bool isBlocked();
@@ -99,6 +100,8 @@ class Executor {
   double shift_m_ = 0.0;  // of the lane, round something in the way
   int aligned_ticks_ = 0;
   double silent_s_ = 0.0;       // standing, without localisation
+  bool is_looking_ = false;     // or turns back from it
+  double looked_s_ = 0.0;       // before going backwards in this segment
   double idle_s_ = 0.0;         // since the last progress
   double best_progress_ = 0.0;  // in this segment
   // Of the crawl.

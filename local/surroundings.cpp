@@ -17,6 +17,7 @@ constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of ma
 /// From where something was seen before: a body's corner may point between the means of two cells, and the
 /// belief is off by some millimetres.
 constexpr double kRemembered_m = 0.03;
+constexpr double kUnseen_m = 0.03;  // from the middle of a cell of floor that was never seen
 constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
@@ -54,6 +55,7 @@ Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr
       robot_(std::move(robot)),
       against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_remembered_({kRemembered_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
+      against_unseen_({kUnseen_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
       against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
@@ -74,6 +76,7 @@ void Surroundings::expect(const World& map, const Plan& plan) {
 void Surroundings::see(const Senses& senses, const Pose& from) {
   against_unmapped_.clear();
   against_remembered_.clear();
+  against_unseen_.clear();
   against_all_.clear();
   window_.slideTo(from.position());
   ++turn_;
@@ -81,7 +84,9 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
   if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
   if (senses.scan != nullptr) against_all_.look(*senses.scan);
+  standOn(robot_->modes[senses.mode].body_m, from);
   addWhatWasSeen(from);
+  addUnseenFloor(from);
 }
 
 /// What was seen before: no beam may look there now.
@@ -186,7 +191,8 @@ std::optional<double> Surroundings::shiftAround(const Motion& translation, doubl
 }
 
 Velocity Surroundings::guarded(const Velocity& wanted) const {
-  return against_all_.allowed(against_remembered_.allowed(against_unmapped_.allowed(wanted)));
+  const Velocity off_things = against_remembered_.allowed(against_unmapped_.allowed(wanted));
+  return against_all_.allowed(against_unseen_.allowed(off_things));
 }
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {

@@ -39,17 +39,24 @@ class Surroundings {
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
   /// Whether something unmapped stands in a box round a pose: a switch's.
   [[nodiscard]] bool isBoxBlocked(const BodyBox& box, const Pose& at) const;
+  /// Whether the floor of the next stretch of a translation backwards was seen, and where it can turn at its
+  /// end, as far as the map has nothing there. What the body stood on counts as seen.
+  [[nodiscard]] bool isFloorSeen(const Motion& translation, double along_m) const;
   /// The smallest shift of the lane, at most `most_m` to either side, that is free; empty if none is.
   [[nodiscard]] std::optional<double> shiftAround(const Motion& translation, double along_m,
                                                   double most_m) const;
   /// The velocity as far as what is seen allows it: unmapped things are kept off by a margin; of mapped ones,
-  /// which the plan passes as near as it says, only the body itself.
+  /// which the plan passes as near as it says, only the body itself. Floor that was never seen is kept off
+  /// too.
   [[nodiscard]] Velocity guarded(const Velocity& wanted) const;
 
   /// Where something unmapped was seen near a point: one for each cell.
   [[nodiscard]] std::vector<Point> surprisesNear(Point at, double reach_m) const;
 
  private:
+  void standOn(const BodyBox& body, const Pose& at);
+  void addUnseenFloor(const Pose& from);
+  [[nodiscard]] bool isAnyUnseen(const BodyBox& box, const Pose& at) const;
   void addWhatWasSeen(const Pose& from);
   void look(const Scan& scan, const MapView& map, const Pose& from);
   void takeBack(const Scan& scan, const Pose& from);
@@ -66,8 +73,10 @@ class Surroundings {
   Window window_;
   Guard against_unmapped_;
   Guard against_remembered_;
+  Guard against_unseen_;
   Guard against_all_;
-  std::size_t turn_ = 0;  // which of the beams are looked at for what is free
+  bool is_placed_ = false;  // it has stood somewhere
+  std::size_t turn_ = 0;    // which of the beams are looked at for what is free
 };
 
 }  // namespace underway

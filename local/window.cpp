@@ -9,16 +9,22 @@ constexpr float kLeastGain = 0.05F;  // of a hit on a cell's mean
 
 }  // namespace
 
-Window::Window() : hits_(kCells * kCells), is_known_(kCells * kCells), means_(kCells * kCells) {}
+Window::Window()
+    : hits_(kCells * kCells),
+      is_known_(kCells * kCells),
+      is_seen_(kCells * kCells),
+      means_(kCells * kCells) {}
 
 void Window::clear() {
   std::fill(hits_.begin(), hits_.end(), std::uint8_t{0});
   std::fill(is_known_.begin(), is_known_.end(), std::uint8_t{0});
+  std::fill(is_seen_.begin(), is_seen_.end(), std::uint8_t{0});
 }
 
 void Window::forget(std::size_t index) {
   hits_[index] = 0;
   is_known_[index] = 0;
+  is_seen_[index] = 0;
 }
 
 void Window::slideTo(Point at) {
@@ -73,8 +79,8 @@ double Window::toEdge(Point from) const {
 void Window::pass(Point from, Point to) {
   constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
   const double range = distance(from, to);
-  const double way = std::min(range, toEdge(from)) - kShort_m;
-  if (!(way > 0.0)) return;
+  const double seen = std::min(range, toEdge(from));
+  if (!(seen > 0.0)) return;
   // Steps of a cell, in whole numbers of 2^-32 cells: no rounding down at each.
   constexpr int kFraction = 32;
   constexpr double kUnits = 4294967296.0 / kCell_m;
@@ -83,11 +89,23 @@ void Window::pass(Point from, Point to) {
   const auto step_y = static_cast<std::int64_t>(kUnits * share * (to.y - from.y));
   auto x = static_cast<std::int64_t>(kUnits * from.x);
   auto y = static_cast<std::int64_t>(kUnits * from.y);
-  const auto steps = static_cast<int>(way / kCell_m);
+  const auto steps = static_cast<int>(seen / kCell_m);
+  const auto free_steps = seen < kShort_m ? -1 : static_cast<int>((seen - kShort_m) / kCell_m);
   for (int k = 0; k <= steps; ++k, x += step_x, y += step_y) {
-    std::uint8_t& hits = hits_[indexOf({x >> kFraction, y >> kFraction})];
-    if (hits > 0) --hits;
+    const Place place{x >> kFraction, y >> kFraction};
+    const std::size_t i = indexOf(place);
+    is_seen_[i] = 1;
+    if (k <= free_steps && hits_[i] > 0) --hits_[i];
   }
+}
+
+void Window::markSeen(Point at) {
+  if (const Place place = placeOf(at); isInside(place)) is_seen_[indexOf(place)] = 1;
+}
+
+bool Window::isSeen(Point at) const {
+  const Place place = placeOf(at);
+  return isInside(place) && is_seen_[indexOf(place)] != 0;
 }
 
 void VirtualObstacles::add(Point at, double radius_m) {

@@ -30,8 +30,12 @@ class Window {
   /// Something was seen at a point; outside the window it is passed over.
   void hit(Point at);
   /// Nothing stands between two points, but near the second: the cells between them are seen less, as far as
-  /// the window's nearest edge.
+  /// the window's nearest edge. The floor is seen as far as the second.
   void pass(Point from, Point to);
+  /// The floor in the cell of a point is known: a beam passed there, or the body stood on it.
+  void markSeen(Point at);
+  /// Whether the floor in the cell of a point is; outside the window it is not.
+  [[nodiscard]] bool isSeen(Point at) const;
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
@@ -42,6 +46,11 @@ class Window {
   /// the mean of what was seen in it.
   template <class Visit>
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
+
+  /// Calls `visit(middle)` for each cell within a distance of a point along both axes whose floor is not
+  /// seen.
+  template <class Visit>
+  void visitUnseen(Point round, double reach_m, const Visit& visit) const;
 
  private:
   static constexpr auto kWide = static_cast<std::int64_t>(kCells);
@@ -84,7 +93,8 @@ class Window {
   // whether anything was seen in them.
   std::vector<std::uint8_t> hits_;
   std::vector<std::uint8_t> is_known_;
-  std::vector<Mean> means_;  // of those with hits
+  std::vector<std::uint8_t> is_seen_;  // its floor
+  std::vector<Mean> means_;            // of those with hits
   Place corner_{-kWide / 2, -kWide / 2};
 };
 
@@ -105,6 +115,16 @@ void Window::visitOccupied(Point round, double reach_m, const Visit& visit) cons
               is_known_[i] != 0);
       }
     }
+}
+
+template <class Visit>
+void Window::visitUnseen(Point round, double reach_m, const Visit& visit) const {
+  const Place low = placeOf({round.x - reach_m, round.y - reach_m});
+  const Place high = placeOf({round.x + reach_m, round.y + reach_m});
+  for (std::int64_t y = low.y; y <= high.y; ++y)
+    for (std::int64_t x = low.x; x <= high.x; ++x)
+      if (!is_seen_[indexOf({x, y})])
+        visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m});
 }
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that

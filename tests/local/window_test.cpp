@@ -38,6 +38,35 @@ TEST(Window, KeepsWhatABeamEndsOn) {
   EXPECT_TRUE(dut.isOccupied(kThere));
 }
 
+TEST(Window, HasSeenTheFloorAsFarAsABeamEnds) {
+  Window dut;
+  dut.pass({0.0, 0.0}, {1.0, 0.0});
+  for (const double x : {0.0, 0.5, 0.97}) EXPECT_TRUE(dut.isSeen({x, 0.0})) << x;
+  EXPECT_FALSE(dut.isSeen({1.1, 0.0}));
+  EXPECT_FALSE(dut.isSeen({0.5, 0.1}));
+  EXPECT_FALSE(dut.isSeen({100.0, 0.0}));
+}
+
+TEST(Window, ForgetsTheFloorThatSlidesOut) {
+  Window dut;
+  dut.markSeen(kThere);
+  dut.slideTo({kThere.x + 5.0, kThere.y});
+  dut.slideTo({0.0, 0.0});
+  EXPECT_FALSE(dut.isSeen(kThere));
+}
+
+TEST(Window, TellsTheMiddlesOfCellsWhoseFloorWasNotSeen) {
+  Window dut;
+  dut.markSeen({0.01, 0.01});
+  int cells = 0;
+  dut.visitUnseen({0.025, 0.025}, 0.05, [&](Point at) {
+    ++cells;
+    EXPECT_FALSE(dut.isSeen(at));
+    EXPECT_NEAR(std::max(std::abs(at.x - 0.025), std::abs(at.y - 0.025)), Window::kCell_m, 1e-9);
+  });
+  EXPECT_EQ(cells, 8);
+}
+
 TEST(Window, KeepsWhatStaysInsideAsItSlides) {
   Window dut;
   hitOften(dut, kThere);
