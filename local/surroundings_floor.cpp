@@ -13,14 +13,17 @@ namespace underway {
 
 /// Where it stands or lies nothing else does. Where it stood first, it may turn: nobody could look there.
 void Surroundings::standOn(const BodyBox& body, const Pose& at) {
-  constexpr double kStep_m = 0.5 * Window::kCell_m;
-  const double reach = is_placed_ ? 0.0 : reachOf(body) + Window::kCell_m;
+  constexpr double kCovered_m = 0.5 * Window::kCell_m;  // of a cell's half, that a body stands on
+  const double all_round_m = is_placed_ ? 0.0 : reachOf(body) + Window::kCell_m;
   is_placed_ = true;
-  for (double x = std::min(body.x.min, -reach); x <= std::max(body.x.max, reach); x += kStep_m)
-    for (double y = std::min(body.y.min, -reach); y <= std::max(body.y.max, reach); y += kStep_m) {
-      const bool is_on = x >= body.x.min && x <= body.x.max && y >= body.y.min && y <= body.y.max;
-      if (is_on || std::hypot(x, y) <= reach) window_.markSeen(transform(at, {x, y}));
-    }
+  const Range x = body.x.grown(kCovered_m);
+  const Range y = body.y.grown(kCovered_m);
+  const SeenFrom seen(at);
+  window_.visitUnseen(at.position(), reachOf(body) + Window::kCell_m, [&](Point cell) {
+    const Point local = seen(cell);
+    const bool is_on = local.x >= x.min && local.x <= x.max && local.y >= y.min && local.y <= y.max;
+    if (is_on || std::hypot(local.x, local.y) <= all_round_m) window_.markSeen(cell);
+  });
 }
 
 /// What the map has needs no look: plans keep off it.

@@ -79,11 +79,16 @@ class Window {
   [[nodiscard]] static std::size_t indexOf(Place place) {
     return wrapped(place.y) * kCells + wrapped(place.x);
   }
-  /// Whether anything was seen in eight cells, of which the first is at a multiple of eight.
-  [[nodiscard]] bool isAnySeen(Place first) const {
-    std::uint64_t hits = 0;
-    std::memcpy(&hits, &hits_[indexOf(first)], sizeof hits);
-    return hits != 0;
+  /// Of eight cells, of which the first is at a multiple of eight: whether anything was seen in them, and
+  /// whether all their floor was.
+  [[nodiscard]] bool isAnySeen(Place first) const { return eightOf(hits_, first) != 0; }
+  [[nodiscard]] bool isAllFloorSeen(Place first) const {
+    return eightOf(is_seen_, first) == 0x0101010101010101U;
+  }
+  [[nodiscard]] static std::uint64_t eightOf(const std::vector<std::uint8_t>& cells, Place first) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, &cells[indexOf(first)], sizeof eight);
+    return eight;
   }
   void forget(std::size_t index);
   /// From a point inside to the nearest edge; negative outside [m].
@@ -122,9 +127,12 @@ void Window::visitUnseen(Point round, double reach_m, const Visit& visit) const 
   const Place low = placeOf({round.x - reach_m, round.y - reach_m});
   const Place high = placeOf({round.x + reach_m, round.y + reach_m});
   for (std::int64_t y = low.y; y <= high.y; ++y)
-    for (std::int64_t x = low.x; x <= high.x; ++x)
-      if (!is_seen_[indexOf({x, y})])
-        visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m});
+    for (std::int64_t word = low.x & -kWord; word <= high.x; word += kWord) {
+      if (isAllFloorSeen({word, y})) continue;
+      for (std::int64_t x = std::max(word, low.x); x <= std::min(word + kWord - 1, high.x); ++x)
+        if (is_seen_[indexOf({x, y})] == 0)
+          visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m});
+    }
 }
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that
