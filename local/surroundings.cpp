@@ -86,7 +86,7 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   if (senses.scan != nullptr) against_all_.look(*senses.scan);
   standOn(robot_->modes[senses.mode].body_m, from);
   addWhatWasSeen(from);
-  addUnseenFloor(from);
+  if (!is_lying) addUnseenFloor(from);
 }
 
 /// What was seen before: no beam may look there now.
