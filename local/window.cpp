@@ -103,11 +103,6 @@ void Window::markSeen(Point at) {
   if (const Place place = placeOf(at); isInside(place)) is_seen_[indexOf(place)] = 1;
 }
 
-bool Window::isSeen(Point at) const {
-  const Place place = placeOf(at);
-  return isInside(place) && is_seen_[indexOf(place)] != 0;
-}
-
 void VirtualObstacles::add(Point at, double radius_m) {
   if (size_ < kMost) {
     discs_[size_++] = {at, radius_m};

@@ -34,8 +34,6 @@ class Window {
   void pass(Point from, Point to);
   /// The floor in the cell of a point is known: a beam passed there, or the body stood on it.
   void markSeen(Point at);
-  /// Whether the floor in the cell of a point is; outside the window it is not.
-  [[nodiscard]] bool isSeen(Point at) const;
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
@@ -48,7 +46,7 @@ class Window {
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
 
   /// Calls `visit(middle)` for each cell within a distance of a point along both axes whose floor is not
-  /// seen.
+  /// seen; all of them must lie in the window.
   template <class Visit>
   void visitUnseen(Point round, double reach_m, const Visit& visit) const;
 
