@@ -25,8 +25,8 @@ class Cost {
 
   /// Never more than `most`.
   constexpr Cost operator+(Cost other) const {
-    const Bits sum = bits_ + other.bits_;
-    return Cost(sum < bits_ ? ~Bits{0} : sum);
+    Bits sum = 0;
+    return Cost(__builtin_add_overflow(bits_, other.bits_, &sum) ? ~Bits{0} : sum);
   }
   /// Of a larger one.
   constexpr Cost operator-(Cost other) const { return Cost(bits_ - other.bits_); }

@@ -64,11 +64,7 @@ Legs::Legs(const Checker& checker, Policy policy, double at_least_m, std::vector
     }
 }
 
-Cost Legs::cheapestLeg(std::uint32_t ways, double length_m) const {
-  constexpr double kCounts_m = 1e-3;  // shorter ones may round to no distance
-  if (length_m >= kCounts_m)
-    for (const std::size_t way : by_cost_)
-      if ((ways >> way & 1U) != 0) return legCost(ways_[way], length_m);
+Cost Legs::cheapestShortLeg(std::uint32_t ways, double length_m) const {
   Cost least = Cost::most();
   for (std::size_t way = 0; ways >> way != 0; ++way)
     if ((ways >> way & 1U) != 0) least = std::min(least, legCost(ways_[way], length_m));
@@ -127,13 +123,6 @@ Legs::Change Legs::changeBetween(ModeId from, ModeId to) const {
 bool Legs::isCoveredBy(const Switch& change, ModeId mode) const {
   const double seen_m = std::min(robot_.modes[change.from].step_over_m, robot_.modes[change.to].step_over_m);
   return isWithin(change.body_m, robot_.modes[mode].body_m) && robot_.modes[mode].step_over_m <= seen_m;
-}
-
-Cost Legs::legCost(const Way& way, double length_m) const {
-  constexpr std::uint64_t kFewerLegs_us = 50'000;  // what a leg less is worth
-  const Cost time = Cost::time(kFewerLegs_us + 1 + static_cast<std::uint64_t>(length_m * way.us_per_m));
-  if (policy_ != Policy::kPriority || way.mode == 0) return time;
-  return time + Cost::distance(way.mode, static_cast<std::uint32_t>(length_m * 1e3 + 0.5));
 }
 
 double Legs::clearanceFor(double keep_m) const {

@@ -51,9 +51,19 @@ class Legs {
   [[nodiscard]] std::size_t sameSweep(std::size_t way) const { return same_sweep_[way]; }
 
   /// Of a translation [m].
-  [[nodiscard]] Cost legCost(const Way& way, double length_m) const;
+  [[nodiscard]] Cost legCost(const Way& way, double length_m) const {
+    constexpr std::uint64_t kFewerLegs_us = 50'000;  // what a leg less is worth
+    const Cost time = Cost::time(kFewerLegs_us + 1 + static_cast<std::uint64_t>(length_m * way.us_per_m));
+    if (policy_ != Policy::kPriority || way.mode == 0) return time;
+    return time + Cost::distance(way.mode, static_cast<std::uint32_t>(length_m * 1e3 + 0.5));
+  }
   /// The least that a translation costs by any of some ways, of which there is one at least [m].
-  [[nodiscard]] Cost cheapestLeg(std::uint32_t ways, double length_m) const;
+  [[nodiscard]] Cost cheapestLeg(std::uint32_t ways, double length_m) const {
+    if (length_m >= kCounts_m)
+      for (const std::size_t way : by_cost_)
+        if ((ways >> way & 1U) != 0) return legCost(ways_[way], length_m);
+    return cheapestShortLeg(ways, length_m);
+  }
   /// The same by any way at all; 0 where there is none.
   [[nodiscard]] Cost cheapestLeg(double length_m) const;
   /// Whether a translation from a stop is free; keep_m: what its ends ask for (roadmap.hpp: isFreeKeeping).
@@ -88,6 +98,7 @@ class Legs {
   static constexpr double kSameYaw_rad = 1e-11;
 
  private:
+  static constexpr double kCounts_m = 1e-3;  // shorter legs may round to no distance
   /// How one mode becomes another, and in which of the two to turn.
   struct Change {
     std::vector<ModeId> via;  // modes after the first, the last included
@@ -96,6 +107,7 @@ class Legs {
     bool turns_first = true;
     bool is_covered = true;  // each switch is free where the first or the last mode's body is
   };
+  [[nodiscard]] Cost cheapestShortLeg(std::uint32_t ways, double length_m) const;
   [[nodiscard]] bool coverTheSame(const Way& a, const Way& b) const;
   [[nodiscard]] Change changeBetween(ModeId from, ModeId to) const;
   /// Whether a switch keeps within a mode's body and sees nothing that the mode steps over.

@@ -18,24 +18,27 @@ class Rivals {
   using PlaceId = Roadmap::PlaceId;
   using StateId = StateTable::Id;
 
-  /// The table holds what the states cost; it must outlive it.
+  /// The table is told which states are surpassed; it must outlive it.
   Rivals(std::size_t places, StateTable& states)
-      : states_(states), last_(places, kNoState), cheapest_(places, Cost::most()) {}
+      : states_(states), last_(places, kNoState) {}
 
-  /// What the cheapest state at a place costs; Cost::most() if there is none.
-  [[nodiscard]] Cost cheapestAt(PlaceId place) const { return cheapest_[place]; }
-
-  /// Of a place, in no order: visit(state, stance) until it returns true; whether it did.
+  /// Of a place, in no order: visit(state, stance, cost) until it returns true; whether it did.
   template <class Visit>
   bool anyAt(PlaceId place, const Visit& visit) const {
     for (std::uint32_t i = last_[place]; i != kNoState; i = rivals_[i].before)
-      if (visit(rivals_[i].state, rivals_[i].stance)) return true;
+      if (visit(rivals_[i].state, rivals_[i].stance, rivals_[i].cost)) return true;
     return false;
   }
 
+  /// Whether one of a place's surpasses a state that comes there in a stance, at a cost.
+  [[nodiscard]] bool surpass(PlaceId place, const Legs& legs, const Stance& stance, Cost cost) const {
+    return anyAt(place, [&](StateId, const Stance& from, Cost its) {
+      return its <= cost && its + legs.changeCost(from, stance) <= cost;
+    });
+  }
+
   void add(PlaceId place, StateId state, const Stance& stance, Cost cost) {
-    cheapest_[place] = std::min(cheapest_[place], cost);
-    rivals_.push_back({state, last_[place], stance});
+    rivals_.push_back({cost, stance, state, last_[place]});
     last_[place] = static_cast<std::uint32_t>(rivals_.size() - 1);
   }
 
@@ -43,18 +46,19 @@ class Rivals {
   /// those that it surpasses. False when another surpasses it.
   bool compete(PlaceId place, const Legs& legs, StateId state, const Stance& stance, Cost cost) {
     for (std::uint32_t* at = &last_[place]; *at != kNoState;) {
-      Rival& other = rivals_[*at];
+      const Rival& other = rivals_[*at];
       bool gives_way = other.state == state;  // it costs less now
-      if (!gives_way) {
-        SearchState& known = states_[other.state];
-        if (known.cost + legs.changeCost(other.stance, stance) <= cost) return false;
-        gives_way = cost + legs.changeCost(stance, other.stance) <= known.cost;
-        if (gives_way) known.is_surpassed = 1;
+      if (!gives_way && other.cost <= cost) {
+        if (other.cost + legs.changeCost(other.stance, stance) <= cost) return false;
+      }
+      if (!gives_way && cost <= other.cost) {
+        gives_way = cost + legs.changeCost(stance, other.stance) <= other.cost;
+        if (gives_way) states_[other.state].is_surpassed = 1;
       }
       if (gives_way)
         *at = other.before;
       else
-        at = &other.before;
+        at = &rivals_[*at].before;
     }
     add(place, state, stance, cost);
     return true;
@@ -62,13 +66,13 @@ class Rivals {
 
  private:
   struct Rival {
+    Cost cost;
+    Stance stance;
     StateId state;
     std::uint32_t before;  // at the same place
-    Stance stance;
   };
   StateTable& states_;
   std::vector<std::uint32_t> last_;  // of each place, in rivals_
-  std::vector<Cost> cheapest_;       // at each place
   std::vector<Rival> rivals_;
 };
 

@@ -1,6 +1,7 @@
 #include "planner/search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -40,12 +41,13 @@ class Search {
         end_(1 + graph.linkCount() * stride_),
         best_(below),
         rivals_(graph.placeCount(), states_),
+        is_margin_enough_(stances.atLeast() <= robot.margin_m),
         nearest_m_(toGoal(graph.place(target.start).at)),
         nearest_(0) {}
 
   std::optional<Passage> cheapest() {
     states_.begin(end_ + static_cast<StateId>(target_.goals.size()));
-    arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
+    if (isWorthMore(0, Cost(), guide_.from(target_.start))) arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
     while (!open_.empty() && !interrupt_.isDue()) {
       const StateId here = open_.front().state;
       std::pop_heap(open_.begin(), open_.end());
@@ -99,7 +101,7 @@ class Search {
   }
 
   [[nodiscard]] bool isSureToBeFree(LinkId link) const {
-    return graph_.isChecked(link) && stances_.atLeast() <= robot_.margin_m;
+    return graph_.isChecked(link) && is_margin_enough_;
   }
 
   [[nodiscard]] bool isFree(StateId state) {
@@ -110,7 +112,7 @@ class Search {
   }
 
   [[nodiscard]] bool turnsFreely(PlaceId place) const {
-    return graph_.place(place).turns_freely && stances_.atLeast() <= robot_.margin_m;
+    return graph_.place(place).turns_freely && is_margin_enough_;
   }
 
   /// How far the nearest goal is away.
@@ -126,10 +128,14 @@ class Search {
     if (away_m < nearest_m_) nearest_m_ = away_m, nearest_ = state;
   }
 
+  /// Whether arriving at a state so is cheaper than before, and may lead to a cheaper end.
+  [[nodiscard]] bool isWorthMore(StateId state, Cost cost, Cost left) {
+    const SearchState& known = states_[state];
+    return known.is_settled == 0 && cost < known.cost && cost + left < best_;
+  }
+
   void arrive(StateId state, StateId parent, Cost cost, Cost left) {
     SearchState& at = states_[state];
-    if (at.is_settled != 0 || cost >= at.cost || left == Cost::most()) return;
-    if (cost + left >= best_) return;
     at.cost = cost;
     at.parent = parent;
     at.is_surpassed = 0;
@@ -156,90 +162,99 @@ class Search {
     if (!legs.areAlike()) return false;
     const Cost cost = states_[here].cost;
     if (turnsFreely(place)) return !rivals_.compete(place, legs, here, stance, cost);
-    const bool is_surpassed = rivals_.anyAt(place, [&](StateId other, const Stance& from) {
-      const Cost its = states_[other].cost;
+    const bool is_surpassed = rivals_.anyAt(place, [&](StateId other, const Stance& from, Cost its) {
       return its + legs.changeCost(from, stance) <= cost &&
-             its + freeChange(other, place, legs, from, stance) <= cost;
+             its + freeTightChange(other, place, legs, from, stance) <= cost;
     });
     if (!is_surpassed) rivals_.add(place, here, stance, cost);
     return is_surpassed;
   }
 
-  void leave(StateId here) {
-    const PlaceId place = placeOf(here);
-    const Stance stance = stanceOf(here);
+  /// A state that is left: what all ways on have in common.
+  struct Here {
+    StateId state;
+    PlaceId place;
+    Stance stance;
+    Cost cost;
+    const Legs& legs;
+    bool turns_freely;
+  };
+
+  void leave(StateId state) {
+    const PlaceId place = placeOf(state);
+    const Here here{state, place, stanceOf(state), states_[state].cost, legsAt(place), turnsFreely(place)};
     graph_.forEachLinkFrom(place, [&](LinkId id) {
       const Roadmap::Ways ways = graph_.ways(id);
       if (ways == 0) return;
-      if (graph_.link(id).crossing != Roadmap::kNone)
-        cross(here, place, stance, id);
+      const Roadmap::Link& link = graph_.link(id);
+      if (link.crossing != Roadmap::kNone)
+        cross(here, id, link);
       else
-        walk(here, place, stance, id, ways);
+        walk(here, id, link, ways);
     });
     for (std::size_t i = 0; i < target_.goals.size(); ++i) {
       const Target::Goal& goal = target_.goals[i];
       if (goal.place != place) continue;
-      const Stance to{goal.any_heading ? stance.yaw : goal.stance.yaw, goal.stance.mode};
-      const Cost changed = freeChange(here, place, legsAt(place), stance, to);
-      if (changed != Cost::most()) end(static_cast<StateId>(i), here, states_[here].cost + changed);
+      const Stance to{goal.any_heading ? here.stance.yaw : goal.stance.yaw, goal.stance.mode};
+      end(end_ + static_cast<StateId>(i), here, here.cost + freeChange(here, to));
     }
   }
 
   /// At a goal: nothing that costs as much can lead to a better one.
-  void end(StateId goal, StateId here, Cost cost) {
-    arrive(end_ + goal, here, cost, Cost());
+  void end(StateId goal, const Here& here, Cost cost) {
+    if (isWorthMore(goal, cost, Cost())) arrive(goal, here.state, cost, Cost());
     best_ = std::min(best_, cost);
   }
 
-  void cross(StateId here, PlaceId place, const Stance& stance, LinkId id) {
+  void cross(const Here& here, LinkId id, const Roadmap::Link& link) {
     const StateId state = stateOf(id, 0);
-    if (states_[state].is_settled != 0) return;
-    const Cost left = guide_.from(graph_.link(id).to);
-    if (left == Cost::most()) return;
-    const Crossing& crossing = graph_.crossing(graph_.link(id));
-    const Cost changed =
-        freeChange(here, place, legsAt(place), stance, {crossing.entry().yaw, crossing.entryMode()});
-    if (changed == Cost::most()) return;
-    const Cost sum = states_[here].cost + changed + crossing.cost(stances_.policy());
-    arriveBy(id, state, here, {crossing.exit().yaw, crossing.exitMode()}, sum, left);
+    const Crossing& crossing = graph_.crossing(link);
+    const Cost crossed = here.cost + crossing.cost(stances_.policy());
+    const Cost left = guide_.from(link.to);
+    if (!isWorthMore(state, crossed, left)) return;
+    const Cost cost = crossed + freeChange(here, {crossing.entry().yaw, crossing.entryMode()});
+    if (!isWorthMore(state, cost, left)) return;
+    const Stance exit{crossing.exit().yaw, crossing.exitMode()};
+    if (isSureToBeFree(id) && changeFreely(link.to) &&
+        !rivals_.compete(link.to, legsAt(link.to), state, exit, cost))
+      return;
+    arrive(state, here.state, cost, left);
   }
 
-  /// By all ways of a link, unless the cheapest state at its end can change into any that they lead to.
-  void walk(StateId here, PlaceId place, const Stance& stance, LinkId id, Roadmap::Ways ways) {
-    const Roadmap::Link& link = graph_.link(id);
-    const Legs& legs = legsAt(place);
-    const Cost cost = states_[here].cost;
-    if (changeFreely(link.to) &&
-        cost + legs.cheapestLeg(ways, link.length_m) >= rivals_.cheapestAt(link.to) + legs.dearestChange())
-      return;
+  /// By all ways of a link, unless turning at its end instead of here costs no more: what turns into this
+  /// stance there turns into all that the ways lead to.
+  void walk(const Here& here, LinkId id, const Roadmap::Link& link, Roadmap::Ways ways) {
+    const Legs& legs = here.legs;
+    const bool changes_freely = legs.areAlike() && turnsFreely(link.to);
+    const Cost least = here.cost + legs.cheapestLeg(ways, link.length_m);
+    if (changes_freely && rivals_.surpass(link.to, legs, here.stance, least)) return;
     const Cost left = guide_.from(link.to);
-    if (left == Cost::most()) return;
-    for (std::size_t way = 0; ways >> way != 0; ++way) {
-      if ((ways >> way & 1U) == 0) continue;
+    if (least + left >= best_) return;
+    const bool competes = changes_freely && isSureToBeFree(id);
+    for (Roadmap::Ways rest = ways; rest != 0; rest &= rest - 1) {
+      const auto way = static_cast<std::size_t>(std::countr_zero(rest));
       const StateId state = stateOf(id, way);
-      if (states_[state].is_settled != 0) continue;
-      const Cost sum = cost + legs.legCost(legs.ways()[way], link.length_m);
-      if (sum >= states_[state].cost || sum + left >= best_) continue;
       const Stance to = legs.stanceOn(link.direction_rad, way);
-      const Cost changed = freeChange(here, place, legs, stance, to);
-      if (changed != Cost::most()) arriveBy(id, state, here, to, sum + changed, left);
+      const Cost walked = here.cost + legs.legCost(legs.ways()[way], link.length_m);
+      Cost cost = walked + legs.changeCost(here.stance, to);
+      if (!isWorthMore(state, cost, left)) continue;
+      if (!here.turns_freely) {
+        cost = walked + freeChange(here, to);
+        if (!isWorthMore(state, cost, left)) continue;
+      }
+      if (!competes || rivals_.compete(link.to, legs, state, to, cost))
+        arrive(state, here.state, cost, left);
     }
   }
 
-  /// Arrives by a link, unless another state at its end is known to surpass this one.
-  void arriveBy(LinkId id, StateId state, StateId parent, const Stance& stance, Cost cost, Cost left) {
-    if (cost >= states_[state].cost || cost + left >= best_) return;
-    const PlaceId place = graph_.link(id).to;
-    if (isSureToBeFree(id) && changeFreely(place) &&
-        !rivals_.compete(place, legsAt(place), state, stance, cost))
-      return;
-    arrive(state, parent, cost, left);
+  /// Of a change from a state's stance to another, Cost::most() if it is not free.
+  [[nodiscard]] Cost freeChange(const Here& from, const Stance& to) {
+    if (from.turns_freely) return from.legs.changeCost(from.stance, to);
+    return freeTightChange(from.state, from.place, from.legs, from.stance, to);
   }
 
-  /// Of a change from a state's stance to another, Cost::most() if it is not free.
-  [[nodiscard]] Cost freeChange(StateId here, PlaceId place, const Legs& legs, const Stance& from,
-                                const Stance& to) {
-    if (turnsFreely(place)) return legs.changeCost(from, to);
+  [[nodiscard]] Cost freeTightChange(StateId here, PlaceId place, const Legs& legs, const Stance& from,
+                                     const Stance& to) {
     const Roadmap::Place& at = graph_.place(place);
     SearchState& state = states_[here];
     if (state.room == Roadmap::kNone) {
@@ -336,6 +351,7 @@ class Search {
   Rivals rivals_;
   std::vector<TurningRoom> rooms_;
   std::vector<Open> open_;  // a heap
+  bool is_margin_enough_;
   double nearest_m_;
   StateId nearest_;
 };
