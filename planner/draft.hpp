@@ -59,6 +59,13 @@ class Draft {
     for (LinkId link = firstOf(out_, id); link != Roadmap::kNone; link = next_out_[link - first_link_])
       visit(link);
   }
+  /// Calls visit(id, link, ways) for those that leave it and are free by some way, or may be.
+  template <class Visit>
+  void forEachOpenLinkFrom(PlaceId id, const Visit& visit) const {
+    forEachLinkFrom(id, [&](LinkId link) {
+      if (const Ways open = ways(link); open != 0) visit(link, this->link(link), open);
+    });
+  }
   template <class Visit>
   void forEachCrossingTo(PlaceId id, const Visit& visit) const {
     if (id < first_place_)

@@ -39,13 +39,14 @@ void Guide::settleNext() {
   if (is_settled_[here]) return;
   is_settled_[here] = 1;
   const Cost cost = least_[here];
+  const Legs& legs = stances_.ofGroup(graph_.place(here).group);  // legs join places of one group
   graph_.forEachLinkFrom(here, [&](Roadmap::LinkId id) {
     const Roadmap::Link& link = graph_.link(id);
     if (link.twin == Roadmap::kNone || is_settled_[link.to]) return;
     const Roadmap::Ways ways = graph_.ways(link.twin);
     if (ways == 0) return;
-    const Legs& legs = stances_.ofGroup(graph_.place(link.to).group);
-    reach(link.to, cost + legs.cheapestLeg(ways, link.length_m));
+    const Cost sum = cost + legs.cheapestLeg(ways, link.length_m);
+    if (sum < least_[link.to]) reach(link.to, sum);
   });
   graph_.forEachCrossingTo(here, [&](Roadmap::LinkId id) {
     if (graph_.ways(id) != 0)

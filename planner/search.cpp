@@ -183,10 +183,7 @@ class Search {
   void leave(StateId state) {
     const PlaceId place = placeOf(state);
     const Here here{state, place, stanceOf(state), states_[state].cost, legsAt(place), turnsFreely(place)};
-    graph_.forEachLinkFrom(place, [&](LinkId id) {
-      const Roadmap::Ways ways = graph_.ways(id);
-      if (ways == 0) return;
-      const Roadmap::Link& link = graph_.link(id);
+    graph_.forEachOpenLinkFrom(place, [&](LinkId id, const Roadmap::Link& link, Roadmap::Ways ways) {
       if (link.crossing != Roadmap::kNone)
         cross(here, id, link);
       else
