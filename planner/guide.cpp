@@ -19,16 +19,32 @@ Guide::Guide(const Draft& graph, const Stances& stances, PlaceId start, std::spa
   for (const PlaceId goal : goals) reach(goal, Cost());
 }
 
-Cost Guide::from(PlaceId place) {
-  while (is_settled_[place] == 0 && !open_.empty() && !interrupt_.isDue()) settleNext();
-  return is_settled_[place] != 0 ? least_[place] : Cost::most();
+Cost Guide::from(PlaceId place, Cost enough) {
+  constexpr int kAtOnce = 16;  // places, lest the caller comes again and again
+  for (int more = kAtOnce; is_settled_[place] == 0 && !open_.empty(); --more) {
+    if (more <= 0 && atLeastFrom(place) > enough) break;
+    if (interrupt_.isDue()) return Cost::most();
+    settleNext();
+  }
+  return atLeastFrom(place);
+}
+
+void Guide::workOut(Cost below) {
+  while (!open_.empty() && open_.front().bound < below && !interrupt_.isDue()) settleNext();
+}
+
+Cost Guide::atLeastFrom(PlaceId place) const {
+  if (is_settled_[place] != 0) return least_[place];
+  if (open_.empty()) return Cost::most();
+  const Cost all = open_.front().bound;  // of a way by any place that is not settled
+  const Cost before = wayTo(place);
+  return all > before ? all - before : Cost();
 }
 
 void Guide::reach(PlaceId place, Cost cost) {
   if (is_settled_[place] || cost >= least_[place]) return;
   least_[place] = cost;
-  const double way_m = distance(graph_.place(place).at, start_);
-  open_.push_back({cost + Cost::time(static_cast<std::uint64_t>(way_m * us_per_m_)), place});
+  open_.push_back({cost + wayTo(place), place});
   std::push_heap(open_.begin(), open_.end());
 }
 

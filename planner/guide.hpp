@@ -19,8 +19,13 @@ class Guide {
   Guide(const Draft& graph, const Stances& stances, Roadmap::PlaceId start,
         std::span<const Roadmap::PlaceId> goals, Interrupt& interrupt);
 
-  /// Cost::most() where no links lead to the goal, and everywhere once it is interrupted.
-  [[nodiscard]] Cost from(Roadmap::PlaceId place);
+  /// Cost::most() where no links lead to the goal, and where it is not known when interrupted. If it is more
+  /// than `enough`, it may come out too low, but above that: so much less work it is.
+  [[nodiscard]] Cost from(Roadmap::PlaceId place, Cost enough = Cost::most());
+  /// The same without any work: what is known of it, or less.
+  [[nodiscard]] Cost atLeastFrom(Roadmap::PlaceId place) const;
+  /// Works out all places by which a way from the start may cost less.
+  void workOut(Cost below);
 
  private:
   struct Open {
@@ -32,6 +37,10 @@ class Guide {
   };
   void settleNext();
   void reach(Roadmap::PlaceId place, Cost cost);
+  /// The least that the way from the start to a place costs.
+  [[nodiscard]] Cost wayTo(Roadmap::PlaceId place) const {
+    return Cost::time(static_cast<std::uint64_t>(distance(graph_.place(place).at, start_) * us_per_m_));
+  }
 
   const Draft& graph_;
   const Stances& stances_;

@@ -73,7 +73,7 @@ class Legs {
   [[nodiscard]] Cost changeCost(const Stance& from, const Stance& to) const {
     const Change& change = changes_[from.mode * mode_count_ + to.mode];
     const double angle = std::abs(normalizedAngle(to.yaw - from.yaw));
-    if (angle <= kSameYaw_rad || change.cost == Cost::most()) return change.cost;
+    if (angle <= kSameYaw_rad) return change.cost;
     if (!(change.us_per_rad > 0.0)) return Cost::most();  // cannot turn
     return change.cost + Cost::time(1 + static_cast<std::uint64_t>(angle * change.us_per_rad));
   }

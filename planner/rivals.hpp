@@ -19,8 +19,7 @@ class Rivals {
   using StateId = StateTable::Id;
 
   /// The table is told which states are surpassed; it must outlive it.
-  Rivals(std::size_t places, StateTable& states)
-      : states_(states), last_(places, kNoState) {}
+  Rivals(std::size_t places, StateTable& states) : states_(states), last_(places, kNoState) {}
 
   /// Of a place, in no order: visit(state, stance, cost) until it returns true; whether it did.
   template <class Visit>

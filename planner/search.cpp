@@ -47,12 +47,14 @@ class Search {
 
   std::optional<Passage> cheapest() {
     states_.begin(end_ + static_cast<StateId>(target_.goals.size()));
-    if (isWorthMore(0, Cost(), guide_.from(target_.start))) arrive(0, Roadmap::kNone, Cost(), guide_.from(target_.start));
+    if (best_ != Cost::most()) guide_.workOut(best_);  // all of it may be asked for
+    const Cost least = guide_.from(target_.start);
+    if (least < best_) arrive(0, Roadmap::kNone, Cost(), least);
     while (!open_.empty() && !interrupt_.isDue()) {
-      const StateId here = open_.front().state;
+      const auto [bound, here] = open_.front();
       std::pop_heap(open_.begin(), open_.end());
       open_.pop_back();
-      if (states_[here].is_settled || states_[here].is_surpassed) continue;
+      if (states_[here].is_settled || states_[here].is_surpassed || isDearer(here, bound)) continue;
       states_[here].is_settled = 1;
       if (here >= end_) return passageTo(here);
       if (!hasCompeted(here) && (!isFree(here) || isSurpassed(here))) continue;
@@ -100,9 +102,7 @@ class Search {
     return {crossing.exit().yaw, crossing.exitMode()};
   }
 
-  [[nodiscard]] bool isSureToBeFree(LinkId link) const {
-    return graph_.isChecked(link) && is_margin_enough_;
-  }
+  [[nodiscard]] bool isSureToBeFree(LinkId link) const { return graph_.isChecked(link) && is_margin_enough_; }
 
   [[nodiscard]] bool isFree(StateId state) {
     if (state == 0) return true;
@@ -139,8 +139,24 @@ class Search {
     at.cost = cost;
     at.parent = parent;
     at.is_surpassed = 0;
-    open_.push_back({cost + left, state});
+    open({cost + left, state});
+  }
+
+  void open(const Open& next) {
+    open_.push_back(next);
     std::push_heap(open_.begin(), open_.end());
+  }
+
+  /// Whether a state that comes up leads to an end at a higher cost than was known when it was arrived at;
+  /// then it waits for its turn.
+  [[nodiscard]] bool isDearer(StateId here, Cost bound) {
+    if (here >= end_) return false;
+    const Cost cost = states_[here].cost;
+    const Cost next = open_.empty() ? best_ : std::min(best_, open_.front().bound);
+    const Cost now = cost + guide_.from(placeOf(here), next > cost ? next - cost : Cost());
+    if (now <= bound) return false;
+    if (now < best_) open({now, here});
+    return true;
   }
 
   /// Where all changes are free, and their cost is all that matters.
@@ -207,7 +223,7 @@ class Search {
     const StateId state = stateOf(id, 0);
     const Crossing& crossing = graph_.crossing(link);
     const Cost crossed = here.cost + crossing.cost(stances_.policy());
-    const Cost left = guide_.from(link.to);
+    const Cost left = guide_.atLeastFrom(link.to);
     if (!isWorthMore(state, crossed, left)) return;
     const Cost cost = crossed + freeChange(here, {crossing.entry().yaw, crossing.entryMode()});
     if (!isWorthMore(state, cost, left)) return;
@@ -225,7 +241,7 @@ class Search {
     const bool changes_freely = legs.areAlike() && turnsFreely(link.to);
     const Cost least = here.cost + legs.cheapestLeg(ways, link.length_m);
     if (changes_freely && rivals_.surpass(link.to, legs, here.stance, least)) return;
-    const Cost left = guide_.from(link.to);
+    const Cost left = guide_.atLeastFrom(link.to);
     if (least + left >= best_) return;
     const bool competes = changes_freely && isSureToBeFree(id);
     for (Roadmap::Ways rest = ways; rest != 0; rest &= rest - 1) {
@@ -239,8 +255,7 @@ class Search {
         cost = walked + freeChange(here, to);
         if (!isWorthMore(state, cost, left)) continue;
       }
-      if (!competes || rivals_.compete(link.to, legs, state, to, cost))
-        arrive(state, here.state, cost, left);
+      if (!competes || rivals_.compete(link.to, legs, state, to, cost)) arrive(state, here.state, cost, left);
     }
   }
 
@@ -256,7 +271,7 @@ class Search {
     SearchState& state = states_[here];
     if (state.room == Roadmap::kNone) {
       state.room = static_cast<std::uint32_t>(rooms_.size());
-      rooms_.push_back(legs.roomAt(at.at, from, at.keep_m));
+      rooms_.push_back(checks_.roomOf(here, at, from, legs));
     }
     return legs.freeChangeCost(at.at, from, rooms_[state.room], to, at.keep_m);
   }
@@ -375,6 +390,14 @@ bool LinkChecks::isFree(Roadmap::LinkId id, std::size_t way, const Legs& legs) {
     (is_free ? known.free_at_m : known.blocked_at_m) = clearance_m;
   }
   return clearance_m <= known.free_at_m;
+}
+
+TurningRoom LinkChecks::roomOf(std::uint32_t state, const Roadmap::Place& place, const Stance& stance,
+                               const Legs& legs) {
+  Room& known = rooms_[state];
+  if (known.at_least_m != legs.atLeast())
+    known = {legs.atLeast(), legs.roomAt(place.at, stance, place.keep_m)};
+  return known.room;
 }
 
 std::optional<Passage> search(const Draft& graph, const Stances& stances, const Robot& robot,

@@ -139,6 +139,56 @@ TEST_P(SearchIn, IsGuidedByABoundThatIsConsistentOnEveryLink) {
   }
 }
 
+TEST_P(SearchIn, IsGuidedByABoundThatIsNeverTooHighHoweverLittleOfItIsWorkedOut) {
+  std::mt19937 random(5);
+  const Draft graph(&roadmap);
+  Interrupt never(test::soon(), {});
+  for (const Policy policy : {Policy::kPriority, Policy::kFastest}) {
+    const Stances stances(checker, policy);
+    const std::vector<Roadmap::PlaceId> goals{static_cast<Roadmap::PlaceId>(roadmap.places.size() / 2)};
+    Guide all(graph, stances, 0, goals, never);
+    Guide dut(graph, stances, 0, goals, never);
+    for (int i = 0; i < 300; ++i) {
+      const auto place = static_cast<Roadmap::PlaceId>(random() % roadmap.places.size());
+      const Cost exact = all.from(place);
+      ASSERT_LE(dut.atLeastFrom(place), exact);
+      const Cost enough = Cost::time(random() % 100'000'000);
+      const Cost told = dut.from(place, enough);
+      ASSERT_LE(told, exact);
+      ASSERT_TRUE(told == exact || told > enough) << "case " << i;
+    }
+  }
+}
+
+/// Each search with and without a bound: with one it leads to what costs less, or to nothing.
+TEST_P(SearchIn, CostsWhatRelaxingEveryWayFindsFromRandomStartsAndUnderABound) {
+  constexpr unsigned kSeed = 17;
+  std::mt19937 random(kSeed);
+  const auto place = [&] { return static_cast<Roadmap::PlaceId>(random() % roadmap.places.size()); };
+  const auto stance = [&] { return Stance{0.1 * static_cast<double>(random() % 63) - 3.1, 0}; };
+  const Draft graph(&roadmap);
+  Interrupt never(test::soon(), {});
+  for (int i = 0; i < 6; ++i) {
+    const Stances stances(checker, i % 2 == 0 ? Policy::kPriority : Policy::kFastest);
+    const Posed start{place(), stance()};
+    const Relaxed slow(checker, roadmap, stances, start);
+    LinkChecks checks(graph, checker);
+    for (int j = 0; j < 60; ++j) {
+      const Posed goal{place(), stance()};
+      if (goal.place == start.place) continue;
+      const Target target{start.place, start.stance, {{goal.place, goal.stance}}};
+      const auto cost = [&](Cost below) {
+        const auto dut = search(graph, stances, *test::nao(), checks, target, never, nullptr, below);
+        return dut ? dut->cost : Cost::most();
+      };
+      const Cost least = slow.costTo(goal);
+      ASSERT_EQ(cost(Cost::most()), least) << "seed " << kSeed << " start " << i << " goal " << j;
+      ASSERT_EQ(cost(least), Cost::most()) << "seed " << kSeed << " start " << i << " goal " << j;
+      ASSERT_EQ(cost(least + Cost::time(1)), least) << "seed " << kSeed << " start " << i << " goal " << j;
+    }
+  }
+}
+
 TEST_P(SearchIn, LeadsToTheCheapestOfSeveralGoals) {
   std::mt19937 random(11);
   const Draft graph(&roadmap);
