@@ -47,11 +47,9 @@ class Rivals {
     for (std::uint32_t* at = &last_[place]; *at != kNoState;) {
       const Rival& other = rivals_[*at];
       bool gives_way = other.state == state;  // it costs less now
-      if (!gives_way && other.cost <= cost) {
-        if (other.cost + legs.changeCost(other.stance, stance) <= cost) return false;
-      }
-      if (!gives_way && cost <= other.cost) {
-        gives_way = cost + legs.changeCost(stance, other.stance) <= other.cost;
+      if (!gives_way) {                       // only the cheaper of two can surpass the other
+        if (other.cost <= cost && other.cost + legs.changeCost(other.stance, stance) <= cost) return false;
+        gives_way = cost <= other.cost && cost + legs.changeCost(stance, other.stance) <= other.cost;
         if (gives_way) states_[other.state].is_surpassed = 1;
       }
       if (gives_way)
