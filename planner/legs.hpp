@@ -96,6 +96,7 @@ class Legs {
   [[nodiscard]] bool turnsFreely(Point at, double keep_m) const;
 
   static constexpr double kSameYaw_rad = 1e-11;
+  static constexpr std::size_t kMostWays = kMaxModes * kSenses.size();
 
  private:
   static constexpr double kCounts_m = 1e-3;  // shorter legs may round to no distance

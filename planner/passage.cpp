@@ -54,19 +54,13 @@ Option Option::stop(Point at, double keep_m) {
   return {pose, pose, 0, 0, true, true, keep_m, {}, {}};
 }
 
-std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::size_t i, double step_m) {
-  constexpr double kNearCorner = 1.6;  // steps from an end to where its corner may be cut
-  constexpr double kMostOfLeg = 0.4;
+std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::size_t i) {
   const Passage::Step& a = steps[i - 1];
   const Passage::Step& b = steps[i];
   const Point from = a.option.out.position();
   const Point to = b.option.in.position();
   std::vector<Point> points;
-  points.reserve(6);
-  if (const double share = kNearCorner * step_m / distance(from, to); share < kMostOfLeg) {
-    points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
-    points.push_back({to.x + share * (from.x - to.x), to.y + share * (from.y - to.y)});
-  }
+  points.reserve(4);
   const double before = i >= 2 && a.way ? a.arriving.yaw : a.leaving.yaw;
   const bool goes_on = i + 1 < steps.size() && steps[i + 1].way;
   const double after = goes_on ? steps[i + 1].arriving.yaw : b.option.in.yaw;
@@ -75,6 +69,10 @@ std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::si
     if (!b.option.any_heading || b.option.is_stop) points.push_back(ahead(to, after + quarter, from));
   }
   return points;
+}
+
+bool isAside(Policy policy, const Passage::Step& step) {
+  return policy == Policy::kPriority && step.way && step.legs->ways()[*step.way].mode != 0;
 }
 
 Route routeOf(const Passage& passage) {

@@ -37,10 +37,11 @@ struct Passage {
   std::size_t goal = 0;  ///< which of the target's (search.hpp) it leads to
 };
 
-/// Where a stop may serve on the leg to a step: near either end, to cut its corner, and where one part of the
-/// leg needs no turn at its other end. `step_m`: how large a change is looked for.
-[[nodiscard]] std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::size_t i,
-                                              double step_m);
+/// Where a stop may serve on the leg to a step: where one part of the leg needs no turn at its other end.
+[[nodiscard]] std::vector<Point> stopsBetween(const std::vector<Passage::Step>& steps, std::size_t i);
+
+/// Whether a policy counts each metre of the leg to a step, before any time.
+[[nodiscard]] bool isAside(Policy policy, const Passage::Step& step);
 
 /// The motions of a passage, chained bit for bit; empty if rounding spoils one.
 [[nodiscard]] Route routeOf(const Passage& passage);

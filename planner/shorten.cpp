@@ -12,13 +12,15 @@
 namespace underway {
 namespace {
 
-/// By how much stops and crossings are moved, round by round. Coarse rounds also look through a corridor.
+/// By how much stops and crossings are moved, round by round.
 constexpr std::array kCoarse_m{0.4, 0.2, 0.08};
-constexpr std::array kFine_m{0.03, 0.008, 0.002};
+constexpr std::array kFine_m{0.02, 0.004};
 constexpr std::array kWidening_m{0.2, 0.08, 0.03, 0.01};  // tried in turn, until one step leads to a way
 constexpr std::size_t kReach = 6;  // stations ahead that legs lead to, when stops are to be left out
 constexpr std::size_t kStopsRound = 8;
 constexpr double kSamePoint_m = 1e-6;
+constexpr double kNearCorner = 1.6;  // steps from an end of a leg to where its corner may be cut
+constexpr double kMostOfLeg = 0.4;   // to there
 
 /// A route divided into stops and crossings, and improved as a whole.
 class Shortening {
@@ -36,7 +38,8 @@ class Shortening {
     while (improve(withStopsLeftOut(), interrupt)) continue;
     for (const double step_m : kCoarse_m) {
       nudge(step_m, interrupt);
-      improve(withMoves(step_m, Crossings::kFree), interrupt);
+      if (!goesAside()) continue;
+      improve(withMoves(step_m), interrupt);
       improve(withStopsLeftOut(), interrupt);
     }
     return polished(interrupt);
@@ -44,7 +47,7 @@ class Shortening {
 
   std::optional<Passage> widened(Interrupt& interrupt) {
     for (const double step_m : kWidening_m)
-      if (auto wider = cheapestThrough(withMoves(step_m, Crossings::kUnchecked), Cost::most(), interrupt)) {
+      if (auto wider = cheapestThrough(withMoves(step_m), Cost::most(), interrupt)) {
         passage_ = std::move(*wider);
         return result();
       }
@@ -53,7 +56,6 @@ class Shortening {
 
   Passage polished(Interrupt& interrupt) {
     for (const double step_m : kFine_m) nudge(step_m, interrupt);
-    improve(withStopsLeftOut(), interrupt);
     return result();
   }
 
@@ -69,6 +71,12 @@ class Shortening {
     Nudge nudge(crossings_, std::move(passage_));
     nudge.by(step_m, interrupt);
     passage_ = std::move(nudge).passage();
+  }
+
+  /// Whether a leg costs more than any time that may be saved elsewhere: then all that can be tried is.
+  [[nodiscard]] bool goesAside() const {
+    return std::any_of(passage_.steps.begin(), passage_.steps.end(),
+                       [&](const Passage::Step& step) { return isAside(stances_.policy(), step); });
   }
 
   Passage result() {
@@ -92,10 +100,9 @@ class Shortening {
     return corridor;
   }
 
-  enum class Crossings { kFree, kUnchecked };  // those of the passage as it is
-
   /// Stops and crossings moved by a step, and stops added, all at the same time and with any ways between.
-  [[nodiscard]] Corridor withMoves(double step_m, Crossings crossings) const {
+  /// Crossings may not be free as they are.
+  [[nodiscard]] Corridor withMoves(double step_m) const {
     Corridor corridor;
     for (std::size_t i = 0; i < passage_.steps.size(); ++i) {
       const Passage::Step& step = passage_.steps[i];
@@ -107,7 +114,7 @@ class Shortening {
       const bool is_end = i == 0 || i + 1 == passage_.steps.size();
       if (step.option.is_stop) addStopsRound(step.option, step_m, station);
       if (!is_end && !step.option.is_stop) {
-        if (crossings == Crossings::kUnchecked && !movable(i).isFree()) station.options.clear();
+        if (!movable(i).isFree()) station.options.clear();
         addCrossingsBeside(i, step_m, station);
       }
       corridor.push_back(std::move(station));
@@ -141,9 +148,15 @@ class Shortening {
     station.may_be_skipped = true;
     station.reach = 2;
     station.legs_on = &stances_.ofMode(a.leaving.mode);
-    for (const Point at : stopsBetween(passage_.steps, i, step_m))
-      if (distance(a.option.out.position(), at) > kSamePoint_m &&
-          distance(at, passage_.steps[i].option.in.position()) > kSamePoint_m)
+    const Point from = a.option.out.position();
+    const Point to = passage_.steps[i].option.in.position();
+    std::vector<Point> points = stopsBetween(passage_.steps, i);
+    if (const double share = kNearCorner * step_m / distance(from, to); share < kMostOfLeg) {
+      points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+      points.push_back({to.x + share * (from.x - to.x), to.y + share * (from.y - to.y)});
+    }
+    for (const Point at : points)
+      if (distance(from, at) > kSamePoint_m && distance(at, to) > kSamePoint_m)
         station.options.push_back(Option::stop(at, robot_.margin_m));
     if (!station.options.empty()) corridor.push_back(std::move(station));
   }

@@ -17,9 +17,9 @@ struct Keeping {
 
 /// A passage, of whatever policy, made shorter under that of `stances`: stops are left out, moved and added,
 /// and crossings moved along and beside their lines, as long as that helps. Steps become smaller from round
-/// to round. Each round makes small changes one at a time (Nudge); the coarse ones also lay a corridor of
-/// choices round the passage and take the cheapest way through it, in which all moves at once. When
-/// interrupted, the best so far.
+/// to round. Each round makes small changes one at a time (Nudge). Where legs are left that the policy counts
+/// before any time, coarse rounds also lay a corridor of choices round the passage and take the cheapest way
+/// through it, in which all moves at once. When interrupted, the best so far.
 [[nodiscard]] Passage shortened(const Checker& checker, const Stances& stances, Passage passage,
                                 const Keeping& keeping, Interrupt& interrupt);
 
