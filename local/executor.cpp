@@ -7,6 +7,15 @@
 #include "local/low.hpp"
 
 namespace underway {
+namespace {
+
+/// The same angle, from 0 to a whole turn.
+double normalizedAngleUp(double angle_rad) {
+  const double normal = normalizedAngle(angle_rad);
+  return normal < 0.0 ? normal + 2.0 * std::numbers::pi : normal;
+}
+
+}  // namespace
 
 Executor::Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings)
     : robot_(std::move(robot)),
@@ -90,6 +99,7 @@ void Executor::beginSegment() {
   idle_s_ = 0.0;
   looked_s_ = 0.0;
   is_looking_ = false;
+  look_sense_ = 0.0;
   shift_m_ = 0.0;
   if (const Segment* segment = current()) {
     follow_.begin(*segment, belief_.pose(), *checker_);
@@ -149,8 +159,9 @@ bool Executor::isBlocked() {
   if (segment == nullptr) return false;
   constexpr double kLongestLook_s = 40.0;  // once round
   constexpr double kPatience = 4.0;        // aligning takes longer
-  if (looked_s_ > kLongestLook_s) return true;
-  if (idle_s_ > settings_.stuck_after_s * (state_ == State::kAligning ? kPatience : 1.0)) return true;
+  const double patience = state_ == State::kAligning ? kPatience : 1.0;
+  is_held_ = looked_s_ > kLongestLook_s || idle_s_ > settings_.stuck_after_s * patience;
+  if (is_held_) return true;
   const Motion& motion = segment->motion;
   if (motion.kind == MotionKind::kTurn) return surroundings_.isTurnBlocked(belief_.pose());
   if (motion.kind == MotionKind::kSwitch) return isPassageBlocked();
@@ -182,22 +193,34 @@ Command Executor::commandFor(const Senses& senses) {
   }
 }
 
-/// Before it goes backwards over floor that no beam has passed, where it has room to turn. It turns until
-/// that is seen, and then back.
-bool Executor::hasToLook() const {
+/// Before it goes backwards over floor that no beam has passed, it turns until that is seen, and then back:
+/// to the side where that takes less, if it has room. 1 is to the left, -1 to the right, 0 that it need not.
+double Executor::turnToLook() {
+  constexpr double kBeyond_rad = 0.1;  // the edge of what it sees
   const Motion& motion = current()->motion;
-  if (motion.kind != MotionKind::kTranslate || motion.sense != Sense::kBackward) return false;
-  return !surroundings_.isFloorSeen(motion, onLane(motion, belief_.pose()).along_m) &&
-         checker_->isFreeAllRound(motion.mode, belief_.pose().position(), robot_->margin_m);
+  if (motion.kind != MotionKind::kTranslate || motion.sense != Sense::kBackward) return 0.0;
+  const Pose& here = belief_.pose();
+  const auto unseen = surroundings_.unseenBehind(motion, onLane(motion, here).along_m, here);
+  if (!unseen) return look_sense_ = 0.0;
+  const double margin_m = robot_->margin_m;
+  const bool is_free = checker_->isFree(stay(motion.mode, here), margin_m);
+  const TurningRoom room = is_free ? checker_->turningRoom(motion.mode, here, margin_m) : TurningRoom{};
+  const double to_left = normalizedAngleUp(*unseen) + Beams{}.first_rad + kBeyond_rad;
+  const double to_right = normalizedAngleUp(-*unseen) + Beams{}.first_rad + kBeyond_rad;
+  const bool has_left = to_left < room.left_rad;
+  const bool has_right = to_right < room.right_rad;
+  if (look_sense_ > 0.0 ? has_left : has_right && look_sense_ < 0.0) return look_sense_;
+  if (!has_left && !has_right) return look_sense_ = 0.0;
+  return look_sense_ = has_left && (!has_right || to_left < to_right) ? 1.0 : -1.0;
 }
 
 Velocity Executor::walkOn(const Senses& senses) {
   constexpr double kBack_rad = 0.05;
-  if (hasToLook()) {
+  if (const double sense = turnToLook(); sense != 0.0) {
     is_looking_ = true;
     looked_s_ += settings_.tick_s;
     idle_s_ = -looked_s_;  // as long to turn back
-    return surroundings_.guarded({0.0, 0.0, limits_.turn_radps});
+    return surroundings_.guarded({0.0, 0.0, sense * limits_.turn_radps});
   }
   const double turned = normalizedAngle(belief_.pose().yaw - current()->motion.from.yaw);
   is_looking_ = is_looking_ && std::abs(turned) > kBack_rad;
@@ -216,6 +239,11 @@ double Executor::lookRad(double now_s) const {
   const double half_field = robot_->senses.depth ? 0.5 * robot_->senses.depth->field_rad : 0.0;
   const bool is_left = std::fmod(now_s, 2.0 * kGlance_s) < kGlance_s;
   return (is_left ? 1.0 : -1.0) * (std::numbers::pi - half_field);
+}
+
+std::vector<Point> Executor::unseenFloor() const {
+  constexpr double kReach_m = 0.6;
+  return surroundings_.unseenNear(belief_.pose().position(), kReach_m);
 }
 
 std::vector<Point> Executor::surprises() const {

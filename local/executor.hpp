@@ -60,6 +60,10 @@ class Executor {
   [[nodiscard]] std::string_view whyStalled() const { return state_ == State::kStalled ? stalled_by_ : ""; }
   /// Where it saw something the map does not have, near the robot: a point for each cell of the window.
   [[nodiscard]] std::vector<Point> surprises() const;
+  /// Blocked without progress, though nothing unmapped stands in the plan's way: held by the guard.
+  [[nodiscard]] bool isHeld() const { return state_ == State::kBlocked && is_held_; }
+  /// Floor near the robot that was not seen: the middles of SeenFloor's cells.
+  [[nodiscard]] std::vector<Point> unseenFloor() const;
 
  private:
   void believe(const Senses& senses);
@@ -67,7 +71,7 @@ class Executor {
   [[nodiscard]] Situation situation(const Senses& senses);
   [[nodiscard]] Command commandFor(const Senses& senses);
   [[nodiscard]] Velocity walkOn(const Senses& senses);
-  [[nodiscard]] bool hasToLook() const;
+  [[nodiscard]] double turnToLook();
   [[nodiscard]] Velocity crawlOn();
   [[nodiscard]] double lookRad(double now_s) const;
   [[nodiscard]] bool isBlocked();
@@ -101,9 +105,11 @@ class Executor {
   int aligned_ticks_ = 0;
   double silent_s_ = 0.0;       // standing, without localisation
   bool is_looking_ = false;     // or turns back from it
+  double look_sense_ = 0.0;     // 1: it turns to the left to look, -1: to the right
   double looked_s_ = 0.0;       // before going backwards in this segment
   double idle_s_ = 0.0;         // since the last progress
   double best_progress_ = 0.0;  // in this segment
+  bool is_held_ = false;        // made none for too long
   // Of the crawl.
   std::uint64_t cycles_ = 0;  // as the robot counts them
   int crawled_ = 0;           // since it lies

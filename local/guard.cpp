@@ -1,7 +1,6 @@
 #include "local/guard.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace underway {
@@ -18,6 +17,29 @@ double distanceTo(const BodyBox& body, Point p, double most_m) {
   if (further >= most_m) return most_m;
   return dx > 0.0 && dy > 0.0 ? std::min(std::sqrt(dx * dx + dy * dy), most_m) : further;
 }
+
+/// Where a point is, seen from a body that has moved.
+class Moved {
+ public:
+  Moved(const Velocity& velocity, double time_s)
+      : x_(velocity.x_mps * time_s),
+        y_(velocity.y_mps * time_s),
+        cos_(std::cos(velocity.turn_radps * time_s)),
+        sin_(std::sin(velocity.turn_radps * time_s)) {}
+  Point operator()(Point p) const {
+    const double x = p.x - x_;
+    const double y = p.y - y_;
+    return {cos_ * x + sin_ * y, cos_ * y - sin_ * x};
+  }
+
+ private:
+  double x_;
+  double y_;
+  double cos_;
+  double sin_;
+};
+
+constexpr double kSlack_m = 1e-4;
 
 }  // namespace
 
@@ -45,35 +67,31 @@ double Guard::distanceAfter(const Velocity& velocity, double time_s) const {
 }
 
 double Guard::distanceAfter(const Velocity& velocity, double time_s, double most_m) const {
-  const double turned = velocity.turn_radps * time_s;
-  const double c = std::cos(turned);
-  const double s = std::sin(turned);
-  std::array<double, kMostOutliers + 1> nearest;  // ascending
-  const std::size_t last = std::min(settings_.outliers, kMostOutliers);
-  std::fill_n(nearest.begin(), last + 1, most_m);
-  for (const Point p : points_) {
-    const double x = p.x - velocity.x_mps * time_s;
-    const double y = p.y - velocity.y_mps * time_s;
-    const double away = distanceTo(body_, {c * x + s * y, c * y - s * x}, nearest[last]);
-    if (away >= nearest[last]) continue;
-    std::size_t at = last;
-    for (; at > 0 && nearest[at - 1] > away; --at) nearest[at] = nearest[at - 1];
-    nearest[at] = away;
-  }
-  return nearest[last];
+  const Moved moved(velocity, time_s);
+  double nearest = most_m;
+  for (const Point p : points_) nearest = std::min(nearest, distanceTo(body_, moved(p), nearest));
+  return nearest;
 }
 
 Velocity Guard::allowed(const Velocity& wanted) const {
   if (points_.empty()) return wanted;
-  constexpr double kSlack_m = 1e-4;
-  const double needed = distanceAfter({}, 0.0, settings_.margin_m + kSlack_m) - kSlack_m;
+  const double nearest = distanceAfter({}, 0.0, settings_.margin_m + kSlack_m) - kSlack_m;
+  const double needed = std::max(nearest, std::min(settings_.least_m, settings_.margin_m));
   const auto scaled = [&](double way, double turn) {
     return Velocity{way * wanted.x_mps, way * wanted.y_mps, turn * wanted.turn_radps};
   };
   for (const Velocity& candidate : {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2),
                                     scaled(0.0, 1.0), scaled(0.0, 0.3), scaled(0.3, 0.0)})
-    if (distanceAfter(candidate, settings_.horizon_s, needed) >= needed) return candidate;
+    if (!bringsNearer(candidate, needed)) return candidate;
   return {};
+}
+
+bool Guard::bringsNearer(const Velocity& velocity, double needed_m) const {
+  const Moved moved(velocity, settings_.horizon_s);
+  return std::any_of(points_.begin(), points_.end(), [&](Point p) {
+    const double after = distanceTo(body_, moved(p), needed_m);
+    return after < needed_m && after < distanceTo(body_, p, needed_m) - kSlack_m;
+  });
 }
 
 Velocity Guard::retreat(double speed_mps) const {

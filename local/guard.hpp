@@ -11,16 +11,15 @@
 namespace underway {
 
 struct GuardSettings {
-  double margin_m = 0.04;    ///< kept between body and what was seen [m]
-  double horizon_s = 1.0;    ///< how far ahead a velocity is looked at [s]
-  std::size_t outliers = 0;  ///< so many points may be nearer, kMostOutliers at most
+  double margin_m = 0.04;  ///< kept between body and what was seen [m]
+  double horizon_s = 1.0;  ///< how far ahead a velocity is looked at [s]
+  double least_m = 0.0;    ///< kept from each point for itself, however near others are [m]
 };
 
 /// The last word on a velocity: never one that brings the body nearer to what was seen than a margin. Knows
 /// neither goals nor plans. Bounded time; allocates only when made.
 class Guard {
  public:
-  static constexpr std::size_t kMostOutliers = 63;
   Guard(const GuardSettings& settings, const BodyBox& body, std::size_t most_points);
 
   /// What was seen this tick, in the body frame; only what is near is kept.
@@ -28,11 +27,11 @@ class Guard {
   void add(Point point);
   void clear() { points_.clear(); }
 
-  /// The wanted velocity, a share of it, its turn alone, or none. Nearer than the margin already, what does
-  /// not bring it nearer is allowed.
+  /// The wanted velocity, a share of it, its turn alone, or none. Nearer than the margin already, what brings
+  /// it no nearer is allowed, so that it goes on along what it stands beside; but one point that noise has
+  /// put close to the body, or into it, does not let it near the others: see `least_m`.
   [[nodiscard]] Velocity allowed(const Velocity& wanted) const;
-  /// From the body to the nearest point that is no outlier, after moving at a velocity for a time [m].
-  /// Negative inside the body.
+  /// From the body to the nearest point, after moving at a velocity for a time [m]. Negative inside the body.
   [[nodiscard]] double distanceAfter(const Velocity& velocity, double time_s) const;
   /// Straight away from the nearest point, at a speed [m/s].
   [[nodiscard]] Velocity retreat(double speed_mps) const;
@@ -40,6 +39,8 @@ class Guard {
  private:
   /// The same, but for what is further than `most_m`: told as that.
   [[nodiscard]] double distanceAfter(const Velocity& velocity, double time_s, double most_m) const;
+  /// Whether any point comes nearer than is needed, and nearer than it is.
+  [[nodiscard]] bool bringsNearer(const Velocity& velocity, double needed_m) const;
 
   GuardSettings settings_;
   BodyBox body_;

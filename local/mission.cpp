@@ -79,6 +79,7 @@ void Mission::ask(const Senses& senses) {
   ++plans_;
   if (refusals_ > 0) ++fresh_looks_;
   refusals_ = 0;
+  may_tread_unseen_ = false;
   countInPlace();
   berths_.clear();
   berths_given_ = 0;
@@ -98,19 +99,33 @@ void Mission::countInPlace() {
 }
 
 Expected<Plan> Mission::planFromHere() {
+  const auto world = worldToPlanIn();
   Request request = request_;
   if (plans_ > 0) {
     request.start_mode = executor_.mode();
-    const Checker checker(world_, robot_);
+    const Checker checker(world, robot_);
     request.start = isLow(*robot_, request.start_mode)
                         ? executor_.pose()
                         : startFrom(checker, request.start_mode, executor_.pose());
   }
-  if (berths_.empty()) return clearOfSurprises(source_(request, world_));
-  auto plan = source_(request, std::make_shared<const World>(withBerth(*world_, berths_)));
+  auto plan = source_(request, world);
   const bool is_none =
       !plan && (plan.error().code == ErrorCode::kNoPathExists || plan.error().code == ErrorCode::kTimeout);
-  return is_none ? fail(ErrorCode::kNoPathExists, kBesideCrawl) : clearOfSurprises(std::move(plan));
+  if (is_none && executor_.isHeld() && !may_tread_unseen_) {
+    may_tread_unseen_ = true;
+    return fail(ErrorCode::kBusy, "waiting for a plan that may lead over floor that was not seen");
+  }
+  if (is_none && !berths_.empty()) return fail(ErrorCode::kNoPathExists, kBesideCrawl);
+  return clearOfSurprises(std::move(plan));
+}
+
+/// With a berth round what the last plan crawled beside. Who was held may have come to floor that was not
+/// seen: then plans keep off that too, if there are any.
+std::shared_ptr<const World> Mission::worldToPlanIn() const {
+  auto world = berths_.empty() ? world_ : std::make_shared<const World>(withBerth(*world_, berths_));
+  if (!executor_.isHeld() || may_tread_unseen_ || isLow(*robot_, executor_.mode())) return world;
+  return std::make_shared<const World>(
+      withUnseenFloor(*world, executor_.unseenFloor(), *robot_, executor_.mode(), executor_.pose()));
 }
 
 /// Who cannot see while it lies asks for another plan, that keeps further from what the last one crawls

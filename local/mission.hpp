@@ -40,6 +40,7 @@ class Mission {
  private:
   void ask(const Senses& senses);
   [[nodiscard]] Expected<Plan> planFromHere();
+  [[nodiscard]] std::shared_ptr<const World> worldToPlanIn() const;
   [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan);
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
   void countInPlace();
@@ -60,6 +61,7 @@ class Mission {
   Point asked_at_;
   std::vector<std::string> berths_;  // what the next plan is to keep further from
   int berths_given_ = 0;             // since the last refusal
+  bool may_tread_unseen_ = false;    // no plan keeps off the floor that was not seen
   double again_s_ = 0.0;             // when to ask again
   double lost_s_ = 0.0;
 };

@@ -7,6 +7,7 @@
 
 #include "geometry/checker.hpp"
 #include "local/low.hpp"
+#include "local/seen_floor.hpp"
 #include "local/seen_from.hpp"
 #include "local/window.hpp"
 
@@ -61,6 +62,37 @@ World withSurprises(const World& base, std::span<const Point> seen, const Cautio
   for (const Point point : points) {
     if (standsOn(robot.modes[mode].body_m, robots(point))) continue;
     if (auto with = world.added(obstacleAt(point, caution.size_m, world, robot))) world = std::move(*with);
+  }
+  return world;
+}
+
+World withUnseenFloor(const World& base, std::span<const Point> unseen, const Robot& robot, ModeId mode,
+                      const Pose& at) {
+  constexpr double kCell_m = SeenFloor::kCell_m;
+  const SeenFrom robots(at);
+  const double beside_m = robot.margin_m + 0.5 * kCell_m;
+  const Range x = robot.modes[mode].body_m.x.grown(beside_m);
+  const Range y = robot.modes[mode].body_m.y.grown(beside_m);
+  std::vector<Point> cells;
+  for (const Point cell : unseen) {
+    const Point local = robots(cell);
+    if (local.x < x.min || local.x > x.max || local.y < y.min || local.y > y.max) cells.push_back(cell);
+  }
+  std::sort(cells.begin(), cells.end(),
+            [](Point a, Point b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
+  const double height = robot.modes.front().body_m.z.max;
+  World world = base;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto end = std::adjacent_find(
+        first, cells.end(), [](Point a, Point b) { return a.y != b.y || b.x - a.x > 1.5 * kCell_m; });
+    const auto last = end == cells.end() ? std::prev(end) : end;
+    const std::string id =
+        std::string(kPrefix) + "not_" + std::to_string(std::distance(cells.begin(), first));
+    const OrientedBox row{{0.5 * (first->x + last->x), first->y, world.floorZ() + 0.5 * height},
+                          {last->x - first->x + kCell_m, kCell_m, height},
+                          {}};
+    if (auto with = world.added({id, row})) world = std::move(*with);
+    first = std::next(last);
   }
   return world;
 }

@@ -22,6 +22,12 @@ struct Caution {
 [[nodiscard]] World withSurprises(const World& base, std::span<const Point> seen, const Caution& caution,
                                   const Robot& robot, ModeId mode, const Pose& at);
 
+/// The same world with floor that was not seen as obstacles, so that plans keep off it: `unseen` are the
+/// middles of SeenFloor's cells, of which rows become one. Where the robot stands, and a margin round it, is
+/// left out.
+[[nodiscard]] World withUnseenFloor(const World& base, std::span<const Point> unseen, const Robot& robot,
+                                    ModeId mode, const Pose& at);
+
 /// Such obstacles that a plan lies down to crawl close by, by their ids: what was seen may reach further than
 /// its faces that were seen, and most robots see nothing while they lie.
 [[nodiscard]] std::vector<std::string> surprisesBesideCrawl(const Plan& plan,

@@ -14,10 +14,13 @@ namespace {
 
 constexpr std::size_t kMostPoints = 2048;
 constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of many noisy beams adds to it
-/// From where something was seen before: a body's corner may point between the means of two cells, and the
-/// belief is off by some millimetres.
-constexpr double kRemembered_m = 0.03;
-constexpr double kUnseen_m = 0.03;  // from the middle of a cell of floor that was never seen
+/// From the outlines of what was seen before: they and the belief are off by some millimetres.
+constexpr double kRemembered_m = 0.025;
+constexpr double kRememberedLeast_m = 0.01;  // from each point for itself, however near others are
+/// From what the map has, where it was seen: it may stand some centimetres from where the map has it. Plans
+/// pass close by, and noise seems to bring it closer.
+constexpr double kMapped_m = 0.01;
+constexpr double kClose_m = 1.0;    // so near to that is looked at
 constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
 Tolerance toleranceOf(const SurroundingsSettings& settings) {
@@ -26,11 +29,8 @@ Tolerance toleranceOf(const SurroundingsSettings& settings) {
   return tolerance;
 }
 
-/// How many noisy beams may seem to end inside a body that keeps 2 cm from a wall.
-std::size_t outliersOf(const SurroundingsSettings& settings) {
-  const double of_margin = settings.sensor_sigma_m / 0.01;
-  return static_cast<std::size_t>(std::lround(6.0 * of_margin * of_margin));
-}
+/// From each point of that for itself, however near others are. Outlines are off by more where noise is.
+double leastFromMapped(const SurroundingsSettings& settings) { return 0.015 - settings.sensor_sigma_m; }
 
 bool isAlongX(Sense sense) { return sense == Sense::kForward || sense == Sense::kBackward; }
 
@@ -53,10 +53,12 @@ struct Shifts {
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
-      against_unmapped_({kMargin_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
-      against_remembered_({kRemembered_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
-      against_unseen_({kUnseen_m, 1.0, 0}, robot_->modes.front().body_m, kMostPoints),
-      against_all_({0.0, 0.5, outliersOf(settings)}, robot_->modes.front().body_m, kMostPoints) {}
+      against_unmapped_({kMargin_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
+      against_remembered_({kRemembered_m, 1.0, kRememberedLeast_m}, robot_->modes.front().body_m,
+                          kMostPoints),
+      against_unseen_({kUnseen_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
+      against_mapped_({kMapped_m, 0.5, leastFromMapped(settings)}, robot_->modes.front().body_m,
+                      kMostPoints) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.waist) {
@@ -77,13 +79,14 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   against_unmapped_.clear();
   against_remembered_.clear();
   against_unseen_.clear();
-  against_all_.clear();
+  against_mapped_.clear();
   window_.slideTo(from.position());
+  mapped_.slideTo(from.position());
+  floor_.slideTo(from.position());
   ++turn_;
   const bool is_lying = isLow(*robot_, senses.mode);
   if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
   if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
-  if (senses.scan != nullptr) against_all_.look(*senses.scan);
   standOn(robot_->modes[senses.mode].body_m, from);
   addWhatWasSeen(from);
   if (!is_lying) addUnseenFloor(from);
@@ -91,21 +94,27 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
 
 /// What was seen before: no beam may look there now.
 void Surroundings::addWhatWasSeen(const Pose& from) {
-  constexpr double kReach_m = 0.5;
+  constexpr double kReach_m = 0.45;
   const SeenFrom seen(from);
-  window_.visitOccupied(from.position(), kReach_m,
-                        [&](Point cell, bool) { against_remembered_.add(seen(cell)); });
+  const double sigma_m = settings_.sensor_sigma_m;
+  window_.visitOutlines(from.position(), kReach_m, sigma_m,
+                        [&](Point at) { against_remembered_.add(seen(at)); });
+  mapped_.visitOutlines(from.position(), kReach_m, sigma_m, [&](Point at) { against_mapped_.add(seen(at)); });
 }
 
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
   // A plane that passes below a table top must not take back what a depth camera saw of it.
   if (!robot_->senses.depth || &map == &depth_map_) takeBack(scan, from);
+  constexpr std::size_t kPart = 4;  // of the beams that end on mapped things, in a tick
   const SeenFrom seen(from);
   forEachBeam(scan.beams, from.yaw, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[i];
     if (!(range < settings_.believed_m)) return;
     const Point end{from.x + range * direction.x, from.y + range * direction.y};
-    if (map.isExpected(end, range)) return;
+    if (map.isExpected(end, range)) {
+      if (range < kClose_m && i % kPart == turn_ % kPart) mapped_.hit(end);
+      return;
+    }
     window_.hit(end);
     if (range < kGuarded_m) against_unmapped_.add(seen(end));
   });
@@ -118,7 +127,10 @@ void Surroundings::takeBack(const Scan& scan, const Pose& from) {
   forEachBeam(scan.beams.every(kShare, first), from.yaw, [&](std::size_t i, Point direction) {
     const double range = scan.ranges_m[first + kShare * i];
     const double reach = std::min(range, settings_.believed_m);
-    window_.pass(from.position(), {from.x + reach * direction.x, from.y + reach * direction.y});
+    const auto along = [&](double m) { return Point{from.x + m * direction.x, from.y + m * direction.y}; };
+    window_.pass(from.position(), along(reach));
+    mapped_.pass(from.position(), along(std::min(reach, kClose_m)));
+    floor_.pass(from.position(), along(reach));
   });
 }
 
@@ -192,7 +204,7 @@ std::optional<double> Surroundings::shiftAround(const Motion& translation, doubl
 
 Velocity Surroundings::guarded(const Velocity& wanted) const {
   const Velocity off_things = against_remembered_.allowed(against_unmapped_.allowed(wanted));
-  return against_all_.allowed(against_unseen_.allowed(off_things));
+  return against_mapped_.allowed(against_unseen_.allowed(off_things));
 }
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {

@@ -8,6 +8,7 @@
 #include "local/command.hpp"
 #include "local/guard.hpp"
 #include "local/map_view.hpp"
+#include "local/seen_floor.hpp"
 #include "local/senses.hpp"
 #include "local/window.hpp"
 #include "planner/plan.hpp"
@@ -25,6 +26,8 @@ struct SurroundingsSettings {
 /// What the robot sees that the map does not have, and what it must not run into.
 class Surroundings {
  public:
+  static constexpr double kUnseen_m = 0.03;  ///< kept from the middle of a cell of floor that was never seen
+
   Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
 
   /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept, and known
@@ -39,9 +42,11 @@ class Surroundings {
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
   /// Whether something unmapped stands in a box round a pose: a switch's.
   [[nodiscard]] bool isBoxBlocked(const BodyBox& box, const Pose& at) const;
-  /// Whether the floor of the next stretch of a translation backwards was seen, and where it can turn at its
-  /// end, as far as the map has nothing there. What the body stood on counts as seen.
-  [[nodiscard]] bool isFloorSeen(const Motion& translation, double along_m) const;
+  /// Floor of the next stretch of a translation backwards that was not seen, or where the body can turn at
+  /// its end, as far as the map has nothing there: the bearing of what takes the smallest turn to see, from
+  /// the front at a pose [rad]. What the body stood on counts as seen.
+  [[nodiscard]] std::optional<double> unseenBehind(const Motion& translation, double along_m,
+                                                   const Pose& from) const;
   /// The smallest shift of the lane, at most `most_m` to either side, that is free; empty if none is.
   [[nodiscard]] std::optional<double> shiftAround(const Motion& translation, double along_m,
                                                   double most_m) const;
@@ -52,11 +57,15 @@ class Surroundings {
 
   /// Where something unmapped was seen near a point: one for each cell.
   [[nodiscard]] std::vector<Point> surprisesNear(Point at, double reach_m) const;
+  /// The middles of SeenFloor's cells near a point that were not seen and that the map has nothing on.
+  [[nodiscard]] std::vector<Point> unseenNear(Point at, double reach_m) const;
 
  private:
   void standOn(const BodyBox& body, const Pose& at);
   void addUnseenFloor(const Pose& from);
-  [[nodiscard]] bool isAnyUnseen(const BodyBox& box, const Pose& at) const;
+  /// Calls `visit(cell)` for floor that was not seen in a box round a pose, and that the map has nothing on.
+  template <class Visit>
+  void visitUnseenIn(const BodyBox& box, const Pose& at, const Visit& visit) const;
   void addWhatWasSeen(const Pose& from);
   void look(const Scan& scan, const MapView& map, const Pose& from);
   void takeBack(const Scan& scan, const Pose& from);
@@ -71,12 +80,14 @@ class Surroundings {
   MapView head_map_;
   MapView depth_map_;
   Window window_;
+  Window mapped_;  // what the map has, as it was seen close by
+  SeenFloor floor_;
   Guard against_unmapped_;
   Guard against_remembered_;
   Guard against_unseen_;
-  Guard against_all_;
-  bool is_placed_ = false;  // it has stood somewhere
-  std::size_t turn_ = 0;    // which of the beams are looked at for what is free
+  Guard against_mapped_;
+  int stood_ = 0;         // ticks where it stood first
+  std::size_t turn_ = 0;  // which of the beams are looked at for what is free
 };
 
 }  // namespace underway

@@ -11,18 +11,19 @@
 
 namespace underway {
 
-/// Where it stands or lies nothing else does. Where it stood first, it may turn: nobody could look there.
+/// Where it stands or lies nothing else does; beside it something may, or a belief that trembles would lead
+/// it on bit by bit. Where it stood first, it may turn: nobody could look there.
 void Surroundings::standOn(const BodyBox& body, const Pose& at) {
-  constexpr double kCovered_m = 0.5 * Window::kCell_m;  // of a cell's half, that a body stands on
-  const double all_round_m = is_placed_ ? 0.0 : reachOf(body) + Window::kCell_m;
-  is_placed_ = true;
-  const Range x = body.x.grown(kCovered_m);
-  const Range y = body.y.grown(kCovered_m);
+  constexpr double kRound_m = 0.05;  // where it stood first: that the guard lets it turn there
+  constexpr int kSettling = 20;      // ticks, in which it stands still and learns where it is
+  const double all_round_m = stood_ < kSettling ? reachOf(body) + kRound_m : 0.0;
+  stood_ = std::min(stood_ + 1, kSettling);
   const SeenFrom seen(at);
-  window_.visitUnseen(at.position(), reachOf(body) + Window::kCell_m, [&](Point cell) {
+  floor_.visitUnseen(at.position(), reachOf(body) + kRound_m, [&](Point cell) {
     const Point local = seen(cell);
-    const bool is_on = local.x >= x.min && local.x <= x.max && local.y >= y.min && local.y <= y.max;
-    if (is_on || std::hypot(local.x, local.y) <= all_round_m) window_.markSeen(cell);
+    const bool is_on =
+        local.x >= body.x.min && local.x <= body.x.max && local.y >= body.y.min && local.y <= body.y.max;
+    if (is_on || std::hypot(local.x, local.y) <= all_round_m) floor_.mark(cell);
   });
 }
 
@@ -31,35 +32,54 @@ void Surroundings::addUnseenFloor(const Pose& from) {
   if (!robot_->senses.waist) return;
   constexpr double kReach_m = 0.35;  // of the body's corners and what a second leads to
   const SeenFrom seen(from);
-  window_.visitUnseen(from.position(), kReach_m, [&](Point cell) {
+  floor_.visitUnseen(from.position(), kReach_m, [&](Point cell) {
     if (!waist_map_.isExpected(cell, 0.0)) against_unseen_.add(seen(cell));
   });
 }
 
-bool Surroundings::isAnyUnseen(const BodyBox& box, const Pose& at) const {
-  const SeenFrom seen(at);
-  bool is_any = false;
-  window_.visitUnseen(at.position(), reachOf(box), [&](Point cell) {
-    const Point local = seen(cell);
-    is_any |= local.x > box.x.min && local.x < box.x.max && local.y > box.y.min && local.y < box.y.max &&
-              !waist_map_.isExpected(cell, 0.0);
+std::vector<Point> Surroundings::unseenNear(Point at, double reach_m) const {
+  std::vector<Point> cells;
+  if (!robot_->senses.waist) return cells;
+  floor_.visitUnseen(at, reach_m, [&](Point cell) {
+    if (!waist_map_.isExpected(cell, 0.0)) cells.push_back(cell);
   });
-  return is_any;
+  return cells;
 }
 
-bool Surroundings::isFloorSeen(const Motion& translation, double along_m) const {
-  if (!robot_->senses.waist) return true;
+template <class Visit>
+void Surroundings::visitUnseenIn(const BodyBox& box, const Pose& at, const Visit& visit) const {
+  const SeenFrom seen(at);
+  floor_.visitUnseen(at.position(), reachOf(box), [&](Point cell) {
+    const Point local = seen(cell);
+    if (local.x > box.x.min && local.x < box.x.max && local.y > box.y.min && local.y < box.y.max &&
+        !waist_map_.isExpected(cell, 0.0))
+      visit(cell);
+  });
+}
+
+std::optional<double> Surroundings::unseenBehind(const Motion& translation, double along_m,
+                                                 const Pose& from) const {
+  if (!robot_->senses.waist) return std::nullopt;
   constexpr double kStretch_m = 0.3;
-  const BodyBox& body = robot_->modes[translation.mode].body_m;
+  const SeenFrom seen(from);
+  std::optional<double> bearing;
+  const auto take = [&](Point cell) {
+    const Point local = seen(cell);
+    const double its = std::atan2(local.y, local.x);
+    if (!bearing || std::abs(its) < std::abs(*bearing)) bearing = its;
+  };
   const double left_m = length(translation) - along_m;
   const Point here = pointAlong(translation, std::max(along_m, 0.0));
-  const double stretch = std::clamp(left_m, 0.0, kStretch_m);
+  const BodyBox& body = robot_->modes[translation.mode].body_m;
   BodyBox lane = body;
-  lane.x.min -= stretch;
-  if (isAnyUnseen(lane, {here.x, here.y, translation.from.yaw})) return false;
-  if (left_m > kStretch_m) return true;
+  lane.x = body.x.grown(kUnseen_m);
+  lane.y = body.y.grown(kUnseen_m);
+  lane.x.min -= std::clamp(left_m, 0.0, kStretch_m);
+  visitUnseenIn(lane, {here.x, here.y, translation.from.yaw}, take);
+  if (bearing || left_m > kStretch_m) return bearing;
   const double reach = reachOf(body);
-  return !isAnyUnseen({{-reach, reach}, {-reach, reach}, body.z}, translation.to);
+  visitUnseenIn({{-reach, reach}, {-reach, reach}, body.z}, translation.to, take);
+  return bearing;
 }
 
 }  // namespace underway

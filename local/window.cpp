@@ -1,106 +1,75 @@
 #include "local/window.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace underway {
 namespace {
 
 constexpr float kLeastGain = 0.05F;  // of a hit on a cell's mean
+constexpr float kFirst_m2 = 1e-4F;   // along each axis, before the spread is known: 1 cm
 
 }  // namespace
 
 Window::Window()
-    : hits_(kCells * kCells),
-      is_known_(kCells * kCells),
-      is_seen_(kCells * kCells),
-      means_(kCells * kCells) {}
-
-void Window::clear() {
-  std::fill(hits_.begin(), hits_.end(), std::uint8_t{0});
-  std::fill(is_known_.begin(), is_known_.end(), std::uint8_t{0});
-  std::fill(is_seen_.begin(), is_seen_.end(), std::uint8_t{0});
-}
-
-void Window::forget(std::size_t index) {
-  hits_[index] = 0;
-  is_known_[index] = 0;
-  is_seen_[index] = 0;
-}
+    : hits_(Grid::kCount), is_known_(Grid::kCount), means_(Grid::kCount), spreads_(Grid::kCount) {}
 
 void Window::slideTo(Point at) {
-  const Place middle = placeOf(at);
-  const Place corner{middle.x - kWide / 2, middle.y - kWide / 2};
-  if (std::abs(corner.x - corner_.x) >= kWide || std::abs(corner.y - corner_.y) >= kWide) {
-    clear();
-    corner_ = corner;
-    return;
-  }
-  // Columns and rows that slide in take the places of those that slide out.
-  const auto forget_column = [this](std::int64_t x) {
-    for (std::size_t row = 0; row < kCells; ++row) forget(row * kCells + wrapped(x));
-  };
-  const auto forget_row = [this](std::int64_t y) {
-    for (std::size_t column = 0; column < kCells; ++column) forget(wrapped(y) * kCells + column);
-  };
-  while (corner_.x < corner.x) forget_column(corner_.x++);
-  while (corner_.x > corner.x) forget_column(--corner_.x);
-  while (corner_.y < corner.y) forget_row(corner_.y++);
-  while (corner_.y > corner.y) forget_row(--corner_.y);
+  grid_.slideTo(at, [this](std::size_t i) { hits_[i] = is_known_[i] = 0; });
 }
 
 void Window::hit(Point at) {
-  const Place place = placeOf(at);
-  if (!isInside(place)) return;
-  std::uint8_t& hits = hits_[indexOf(place)];
-  Mean& mean = means_[indexOf(place)];
+  const Grid::Place place = Grid::placeOf(at);
+  if (!grid_.isInside(place)) return;
+  const std::size_t i = Grid::indexOf(place);
+  std::uint8_t& hits = hits_[i];
+  Mean& mean = means_[i];
+  Spread& spread = spreads_[i];
   if (hits < kMost) ++hits;
-  const Point corner{static_cast<double>(place.x) * kCell_m, static_cast<double>(place.y) * kCell_m};
+  const Point corner = Grid::cornerOf(place);
+  if (hits == 1) {
+    mean = {static_cast<float>(at.x - corner.x), static_cast<float>(at.y - corner.y)};
+    spread = {kFirst_m2, 0.0F, kFirst_m2};
+    return;
+  }
   const float gain = hits < kMost ? 1.0F / static_cast<float>(hits) : kLeastGain;
-  mean.x_m += gain * (static_cast<float>(at.x - corner.x) - mean.x_m);
-  mean.y_m += gain * (static_cast<float>(at.y - corner.y) - mean.y_m);
+  const float x = static_cast<float>(at.x - corner.x) - mean.x_m;
+  const float y = static_cast<float>(at.y - corner.y) - mean.y_m;
+  mean.x_m += gain * x;
+  mean.y_m += gain * y;
+  const float kept = 1.0F - gain;
+  spread.xx_m2 = kept * (spread.xx_m2 + gain * x * x);
+  spread.xy_m2 = kept * (spread.xy_m2 + gain * x * y);
+  spread.yy_m2 = kept * (spread.yy_m2 + gain * y * y);
+}
+
+Window::Extents Window::extentsOf(const Spread& spread, double sigma_m) {
+  constexpr double kEven = 3.0;  // half an even stretch, squared, over its variance
+  const double middle = 0.5 * (static_cast<double>(spread.xx_m2) + spread.yy_m2) - sigma_m * sigma_m;
+  const double half = 0.5 * (static_cast<double>(spread.xx_m2) - spread.yy_m2);
+  const double off = std::hypot(half, static_cast<double>(spread.xy_m2));
+  const double angle = 0.5 * std::atan2(static_cast<double>(spread.xy_m2), half);
+  const Point along{std::cos(angle), std::sin(angle)};
+  const double longer = std::sqrt(kEven * std::max(middle + off, 0.0));
+  const double shorter = std::sqrt(kEven * std::max(middle - off, 0.0));
+  return {{longer * along.x, longer * along.y}, {-shorter * along.y, shorter * along.x}};
 }
 
 bool Window::isOccupied(Point at) const {
-  const Place place = placeOf(at);
-  return isInside(place) && hits_[indexOf(place)] >= kSure;
+  const Grid::Place place = Grid::placeOf(at);
+  return grid_.isInside(place) && hits_[Grid::indexOf(place)] >= kSure;
 }
 
 void Window::markKnown() {
   for (std::size_t i = 0; i < hits_.size(); ++i) is_known_[i] = hits_[i] >= kSure ? 1 : 0;
 }
 
-double Window::toEdge(Point from) const {
-  constexpr double kHalf_m = 0.5 * static_cast<double>(kCells) * kCell_m;
-  const double off_x = from.x - (static_cast<double>(corner_.x) * kCell_m + kHalf_m);
-  const double off_y = from.y - (static_cast<double>(corner_.y) * kCell_m + kHalf_m);
-  return kHalf_m - std::max(std::abs(off_x), std::abs(off_y));
-}
-
 void Window::pass(Point from, Point to) {
   constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
-  const double range = distance(from, to);
-  const double seen = std::min(range, toEdge(from));
-  if (!(seen > 0.0)) return;
-  // Steps of a cell, in whole numbers of 2^-32 cells: no rounding down at each.
-  constexpr int kFraction = 32;
-  constexpr double kUnits = 4294967296.0 / kCell_m;
-  const double share = kCell_m / range;
-  const auto step_x = static_cast<std::int64_t>(kUnits * share * (to.x - from.x));
-  const auto step_y = static_cast<std::int64_t>(kUnits * share * (to.y - from.y));
-  auto x = static_cast<std::int64_t>(kUnits * from.x);
-  auto y = static_cast<std::int64_t>(kUnits * from.y);
-  const auto steps = static_cast<int>(seen / kCell_m);
-  const auto free_steps = seen < kShort_m ? -1 : static_cast<int>((seen - kShort_m) / kCell_m);
-  for (int k = 0; k <= steps; ++k, x += step_x, y += step_y) {
-    const Place place{x >> kFraction, y >> kFraction};
-    const std::size_t i = indexOf(place);
-    is_seen_[i] = 1;
-    if (k <= free_steps && hits_[i] > 0) --hits_[i];
-  }
-}
-
-void Window::markSeen(Point at) {
-  if (const Place place = placeOf(at); isInside(place)) is_seen_[indexOf(place)] = 1;
+  const double far_m = std::min(distance(from, to), grid_.toEdge(from)) - kShort_m;
+  Grid::visitAlong(from, to, far_m, [this](std::size_t i) {
+    if (hits_[i] > 0) --hits_[i];
+  });
 }
 
 void VirtualObstacles::add(Point at, double radius_m) {

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "geometry/pose.hpp"
 #include "local/scan.hpp"
+#include "local/sliding_grid.hpp"
 
 namespace underway {
 
@@ -19,7 +18,8 @@ namespace underway {
 class Window {
  public:
   static constexpr std::size_t kCells = 128;
-  static constexpr double kCell_m = 0.05;
+  using Grid = SlidingGrid<kCells, 50>;
+  static constexpr double kCell_m = Grid::kCell_m;
   static constexpr std::uint8_t kSure = 3;  ///< seen so often, something stands there
   static constexpr std::uint8_t kMost = 6;  ///< more is not counted
 
@@ -30,107 +30,80 @@ class Window {
   /// Something was seen at a point; outside the window it is passed over.
   void hit(Point at);
   /// Nothing stands between two points, but near the second: the cells between them are seen less, as far as
-  /// the window's nearest edge. The floor is seen as far as the second.
+  /// the window's nearest edge.
   void pass(Point from, Point to);
-  /// The floor in the cell of a point is known: a beam passed there, or the body stood on it.
-  void markSeen(Point at);
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
   void markKnown();
-  void clear();
 
   /// Calls `visit(at, is_known)` for each occupied cell within a distance of a point along both axes, with
   /// the mean of what was seen in it.
   template <class Visit>
   void visitOccupied(Point round, double reach_m, const Visit& visit) const;
-
-  /// Calls `visit(middle)` for each cell within a distance of a point along both axes whose floor is not
-  /// seen; all of them must lie in the window.
+  /// Calls `visit(at)` for points that outline what was seen in each of those cells, kOutline_m apart at
+  /// most: as far as it spreads from its mean along both of its principal axes by more than noise. Of a face
+  /// they lie along it, to its end; of a corner one is at its tip. `sigma_m`: of what sees.
   template <class Visit>
-  void visitUnseen(Point round, double reach_m, const Visit& visit) const;
+  void visitOutlines(Point round, double reach_m, double sigma_m, const Visit& visit) const;
+  static constexpr double kOutline_m = 0.0125;
 
  private:
-  static constexpr auto kWide = static_cast<std::int64_t>(kCells);
-  static constexpr std::int64_t kWord = 8;  // cells that are looked at together
-  struct Place {
-    std::int64_t x;
-    std::int64_t y;
-  };
   /// Of what was seen in a cell, from its corner: surer than the cell.
   struct Mean {
     float x_m = 0.0F;
     float y_m = 0.0F;
   };
-  [[nodiscard]] static Place placeOf(Point at) {
-    return {static_cast<std::int64_t>(std::floor(at.x * (1.0 / kCell_m))),
-            static_cast<std::int64_t>(std::floor(at.y * (1.0 / kCell_m)))};
-  }
-  [[nodiscard]] bool isInside(Place place) const {
-    return place.x >= corner_.x && place.y >= corner_.y && place.x < corner_.x + kWide &&
-           place.y < corner_.y + kWide;
-  }
-  /// Modulo kCells, a power of two, also of what is negative.
-  [[nodiscard]] static std::size_t wrapped(std::int64_t at) {
-    return static_cast<std::size_t>(at) & (kCells - 1);
-  }
-  [[nodiscard]] static std::size_t indexOf(Place place) {
-    return wrapped(place.y) * kCells + wrapped(place.x);
-  }
-  /// Of eight cells, of which the first is at a multiple of eight: whether anything was seen in them, and
-  /// whether all their floor was.
-  [[nodiscard]] bool isAnySeen(Place first) const { return eightOf(hits_, first) != 0; }
-  [[nodiscard]] bool isAllFloorSeen(Place first) const {
-    return eightOf(is_seen_, first) == 0x0101010101010101U;
-  }
-  [[nodiscard]] static std::uint64_t eightOf(const std::vector<std::uint8_t>& cells, Place first) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, &cells[indexOf(first)], sizeof eight);
-    return eight;
-  }
-  void forget(std::size_t index);
-  /// From a point inside to the nearest edge; negative outside [m].
-  [[nodiscard]] double toEdge(Point from) const;
+  /// How it spreads about that: covariances.
+  struct Spread {
+    float xx_m2 = 0.0F;
+    float xy_m2 = 0.0F;
+    float yy_m2 = 0.0F;
+  };
+  /// From the mean of an even spread to its ends along the principal axes.
+  struct Extents {
+    Point longer;
+    Point shorter;
+  };
+  [[nodiscard]] static Extents extentsOf(const Spread& spread, double sigma_m);
+  /// Calls `visit(index, mean)` for each occupied cell.
+  template <class Visit>
+  void visitCells(Point round, double reach_m, const Visit& visit) const;
 
-  // A torus: a cell's index is its place modulo kCells. Bytes, because most cells are asked no more than
-  // whether anything was seen in them.
-  std::vector<std::uint8_t> hits_;
+  Grid grid_;
+  std::vector<std::uint8_t> hits_;  // bytes: most cells are asked no more than whether there are any
   std::vector<std::uint8_t> is_known_;
-  std::vector<std::uint8_t> is_seen_;  // its floor
-  std::vector<Mean> means_;            // of those with hits
-  Place corner_{-kWide / 2, -kWide / 2};
+  std::vector<Mean> means_;  // of those with hits
+  std::vector<Spread> spreads_;
 };
 
 template <class Visit>
-void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
-  Place low = placeOf({round.x - reach_m, round.y - reach_m});
-  Place high = placeOf({round.x + reach_m, round.y + reach_m});
-  low = {std::max(low.x, corner_.x), std::max(low.y, corner_.y)};
-  high = {std::min(high.x, corner_.x + kWide - 1), std::min(high.y, corner_.y + kWide - 1)};
-  for (std::int64_t y = low.y; y <= high.y; ++y)
-    for (std::int64_t word = low.x & -kWord; word <= high.x; word += kWord) {
-      if (!isAnySeen({word, y})) continue;
-      for (std::int64_t x = std::max(word, low.x); x <= std::min(word + kWord - 1, high.x); ++x) {
-        const std::size_t i = indexOf({x, y});
-        if (hits_[i] < kSure) continue;
-        visit(Point{static_cast<double>(x) * kCell_m + means_[i].x_m,
-                    static_cast<double>(y) * kCell_m + means_[i].y_m},
-              is_known_[i] != 0);
-      }
-    }
+void Window::visitCells(Point round, double reach_m, const Visit& visit) const {
+  const auto is_any_hit = [](std::uint64_t eight) { return eight != 0; };
+  grid_.visitNear(round, reach_m, hits_, is_any_hit, [&](std::size_t i, Grid::Place place) {
+    if (hits_[i] < kSure) return;
+    const Point corner = Grid::cornerOf(place);
+    visit(i, Point{corner.x + means_[i].x_m, corner.y + means_[i].y_m});
+  });
 }
 
 template <class Visit>
-void Window::visitUnseen(Point round, double reach_m, const Visit& visit) const {
-  const Place low = placeOf({round.x - reach_m, round.y - reach_m});
-  const Place high = placeOf({round.x + reach_m, round.y + reach_m});
-  for (std::int64_t y = low.y; y <= high.y; ++y)
-    for (std::int64_t word = low.x & -kWord; word <= high.x; word += kWord) {
-      if (isAllFloorSeen({word, y})) continue;
-      for (std::int64_t x = std::max(word, low.x); x <= std::min(word + kWord - 1, high.x); ++x)
-        if (is_seen_[indexOf({x, y})] == 0)
-          visit(Point{(static_cast<double>(x) + 0.5) * kCell_m, (static_cast<double>(y) + 0.5) * kCell_m});
+void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
+  visitCells(round, reach_m, [&](std::size_t i, Point mean) { visit(mean, is_known_[i] != 0); });
+}
+
+template <class Visit>
+void Window::visitOutlines(Point round, double reach_m, double sigma_m, const Visit& visit) const {
+  visitCells(round, reach_m, [&](std::size_t i, Point mean) {
+    const auto [longer, shorter] = extentsOf(spreads_[i], sigma_m);
+    const auto steps = static_cast<int>(2.0 * std::hypot(longer.x, longer.y) / kOutline_m) + 1;
+    for (int k = 0; k <= steps; ++k) {
+      const double share = 2.0 * k / steps - 1.0;
+      visit(Point{mean.x + share * longer.x, mean.y + share * longer.y});
     }
+    visit(Point{mean.x + shorter.x, mean.y + shorter.y});
+    visit(Point{mean.x - shorter.x, mean.y - shorter.y});
+  });
 }
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
+#include "local/seen_floor.hpp"
 #include "tests/planner/fixture.hpp"
 
 namespace underway {
@@ -37,6 +39,32 @@ TEST(Surprises, MayGoOnWhereARowOfThemEnds) {
   };
   EXPECT_EQ(with(false), map->obstacles().size() + 4);
   EXPECT_EQ(with(true), map->obstacles().size() + 8);  // two beyond each end
+}
+
+/// Cells of floor in a square, but for one in its middle row.
+std::vector<Point> cellsWithAGap(Point middle, int half) {
+  std::vector<Point> cells;
+  for (int row = -half; row <= half; ++row)
+    for (int column = -half; column <= half; ++column)
+      if (row != 0 || column != 0)
+        cells.push_back({middle.x + column * SeenFloor::kCell_m, middle.y + row * SeenFloor::kCell_m});
+  return cells;
+}
+
+TEST(UnseenFloor, BecomesAnObstacleForEachStretchOfARow) {
+  const auto map = test::ourWorld("scenario3");
+  const World world = withUnseenFloor(*map, cellsWithAGap({1.5, 1.2}, 2), *test::nao(), 0, kStart);
+  EXPECT_EQ(world.obstacles().size(), map->obstacles().size() + 6);  // five rows, of which one has a gap
+  const Checker checker(std::make_shared<const World>(world), test::nao());
+  EXPECT_TRUE(checker.isFree(stay(0, {1.5, 1.2 + 0.195 + 0.05 + 0.05, 0.0})));
+  EXPECT_FALSE(checker.isFree(stay(0, {1.5, 1.2 + 0.195 + 0.05, 0.0})));
+}
+
+TEST(UnseenFloor, IsNoneWhereTheRobotStandsNorWithinItsMargin) {
+  const auto map = test::ourWorld("scenario3");
+  const World world = withUnseenFloor(*map, cellsWithAGap(kStart.position(), 20), *test::nao(), 0, kStart);
+  EXPECT_GT(world.obstacles().size(), map->obstacles().size());
+  EXPECT_TRUE(Checker(std::make_shared<const World>(world), test::nao()).isFree(stay(0, kStart)));
 }
 
 /// Scenario 3's plan in a world: in the map alone it lies down at 3.00 m and gets up at 4.60 m.

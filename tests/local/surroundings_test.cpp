@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
 
 #include "local/lane.hpp"
 #include "sim/robot.hpp"
@@ -71,6 +75,73 @@ TEST_F(Looking, DoesNotRunIntoWhatItSees) {
   look({{"near", {{0.88, 0.6, 0.3}, {0.2, 0.2, 0.6}, {}}}});
   EXPECT_LT(dut_.guarded({0.068, 0.0, 0.0}).x_mps, 0.068);
   EXPECT_EQ(dut_.guarded({-0.04, 0.0, 0.0}), (Velocity{-0.04, 0.0, 0.0}));
+}
+
+std::shared_ptr<const World> roomWith(std::vector<Obstacle> obstacles) {
+  return std::make_shared<const World>(*World::make("room", {{0, 0, 0}, 10, 10}, 0.0, std::move(obstacles)));
+}
+const Obstacle kWall{"wall", {{5.0, 0.5, 0.4}, {10.0, 0.2, 0.8}, {}}};
+
+/// A robot whose belief trembles as it does with localisation, in a room whose map has a wall.
+struct Trembling {
+  Trembling(const std::vector<Obstacle>& unmapped, const Pose& start, unsigned seed)
+      : body(worldWith(unmapped), test::nao(), start, 0, seed), random(seed) {
+    dut.expect(*roomWith({kWall}),
+               timedPlan({{translate(0, Sense::kForward, start, 0.5), 10.0, {0.1, {}, {}}}}, start));
+  }
+  static std::shared_ptr<const World> worldWith(std::vector<Obstacle> obstacles) {
+    obstacles.push_back(kWall);
+    return roomWith(std::move(obstacles));
+  }
+  void go(const Velocity& wanted, double time_s) {
+    const double until_s = body.now_s() + time_s;
+    while (body.now_s() < until_s && !body.truth().has_collided) {
+      const Pose& at = body.truth().pose;
+      dut.see(body.sense(), {at.x + tremble(random), at.y + tremble(random), at.yaw + tremble(random)});
+      body.step({dut.guarded(wanted), std::nullopt});
+    }
+  }
+  sim::SimulatedRobot body;
+  Surroundings dut{{}, test::nao()};
+  std::mt19937 random;
+  std::normal_distribution<double> tremble{0.0, 0.004};
+};
+
+TEST(Surroundings, AreNotTouchedWhateverTheRobotIsToldAndHoweverItsBeliefTrembles) {
+  constexpr double kTurn_s = 40.0;  // once round, to look
+  std::uniform_real_distribution<double> even(0.0, 1.0);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  double least_moved_m = 1e9;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<Obstacle> things;
+    for (int k = 0; k < 3; ++k) {
+      const double bearing = std::numbers::pi * even(random);
+      const double range = 0.42 + 0.3 * even(random);
+      things.push_back({"box_" + std::to_string(k),
+                        {{5.0 + range * std::cos(bearing), 5.0 + range * std::sin(bearing), 0.4},
+                         {0.1 + 0.1 * even(random), 0.1 + 0.1 * even(random), 0.8},
+                         {0.0, 0.0, 3.0 * even(random)}}});
+    }
+    Trembling robot(things, {5.0, 5.0, 0.0}, seed);
+    robot.go({0.0, 0.0, 0.17}, kTurn_s);
+    for (int k = 0; k < 15; ++k) robot.go({0.06 * any(random), 0.04 * any(random), 0.17 * any(random)}, 8.0);
+    const sim::Truth& truth = robot.body.truth();
+    EXPECT_FALSE(truth.has_collided) << "seed " << seed << ", with " << truth.with;
+    least_moved_m = std::min(least_moved_m, truth.moved_m);
+  }
+  EXPECT_GT(least_moved_m, 0.02);  // it is not safe by standing still
+}
+
+/// So close to a wall that the map's tolerance takes it for the wall.
+TEST(Surroundings, AreNotTouchedWhereTheyStandThreeCentimetresBeforeTheMapsWall) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Trembling robot({{"plate", {{2.6, 0.615, 0.4}, {0.3, 0.03, 0.8}, {}}}}, {1.5, 0.6 + 0.195 + 0.02, 0.0},
+                    seed);
+    robot.go({0.05, 0.0, 0.0}, 60.0);
+    EXPECT_FALSE(robot.body.truth().has_collided) << "seed " << seed;
+    EXPECT_GT(robot.body.truth().pose.x, 1.6) << "seed " << seed;
+  }
 }
 
 }  // namespace

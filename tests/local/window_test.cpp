@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -36,40 +38,6 @@ TEST(Window, KeepsWhatABeamEndsOn) {
   hitOften(dut, kThere);
   for (int i = 0; i < 10; ++i) dut.pass({0.0, 0.0}, kThere);
   EXPECT_TRUE(dut.isOccupied(kThere));
-}
-
-bool isFloorSeen(const Window& dut, Point at) {
-  bool is_seen = true;
-  dut.visitUnseen(at, 0.0, [&](Point) { is_seen = false; });
-  return is_seen;
-}
-
-TEST(Window, HasSeenTheFloorAsFarAsABeamEnds) {
-  Window dut;
-  dut.pass({0.0, 0.0}, {1.0, 0.0});
-  for (const double x : {0.0, 0.5, 0.97}) EXPECT_TRUE(isFloorSeen(dut, {x, 0.0})) << x;
-  EXPECT_FALSE(isFloorSeen(dut, {1.1, 0.0}));
-  EXPECT_FALSE(isFloorSeen(dut, {0.5, 0.1}));
-}
-
-TEST(Window, ForgetsTheFloorThatSlidesOut) {
-  Window dut;
-  dut.markSeen(kThere);
-  dut.slideTo({kThere.x + 5.0, kThere.y});
-  dut.slideTo({0.0, 0.0});
-  EXPECT_FALSE(isFloorSeen(dut, kThere));
-}
-
-TEST(Window, TellsTheMiddlesOfCellsWhoseFloorWasNotSeen) {
-  Window dut;
-  dut.markSeen({0.01, 0.01});
-  int cells = 0;
-  dut.visitUnseen({0.025, 0.025}, 0.05, [&](Point at) {
-    ++cells;
-    EXPECT_FALSE(isFloorSeen(dut, at));
-    EXPECT_NEAR(std::max(std::abs(at.x - 0.025), std::abs(at.y - 0.025)), Window::kCell_m, 1e-9);
-  });
-  EXPECT_EQ(cells, 8);
 }
 
 TEST(Window, KeepsWhatStaysInsideAsItSlides) {
@@ -126,6 +94,44 @@ TEST(Window, TellsWhereInACellSomethingWasSeen) {
     EXPECT_NEAR(at.x, 1.0014, 1e-4);
     EXPECT_NEAR(at.y, 0.549, 1e-4);
   });
+}
+
+/// How far a point lies outside the outlines of what was seen near it, in a direction; negative inside.
+double outside(const Window& dut, Point at, Point towards) {
+  double furthest = -1.0;
+  dut.visitOutlines(at, 0.1, 0.01, [&](Point end) {
+    furthest = std::max(furthest, (end.x - at.x) * towards.x + (end.y - at.y) * towards.y);
+  });
+  return -furthest;
+}
+
+/// A wedge's faces run from its tip to either side of a direction; seen with a lidar's noise.
+TEST(Window, OutlinesFacesToTheirEndsAndCornersToTheirTips) {
+  constexpr unsigned kSeed = 7;
+  constexpr double kNoise_m = 0.01;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> even(0.0, 1.0);
+  std::normal_distribution<double> noise(0.0, kNoise_m);
+  double worst_m = 0.0;
+  double sum_m = 0.0;
+  constexpr int kRounds = 300;
+  for (int round = 0; round < kRounds; ++round) {
+    Window dut;
+    const Point tip{even(random), even(random)};
+    const double middle = 2.0 * std::numbers::pi * even(random);
+    const double half = 0.75 * even(random);  // 0: one face, seen to its end
+    for (int i = 0; i < 400; ++i) {
+      const double angle = middle + (i % 2 == 0 ? half : -half);
+      const double along_m = 0.1 * even(random);
+      dut.hit({tip.x + along_m * std::cos(angle) + noise(random),
+               tip.y + along_m * std::sin(angle) + noise(random)});
+    }
+    const double beyond_m = outside(dut, tip, {-std::cos(middle), -std::sin(middle)});
+    worst_m = std::max(worst_m, beyond_m);
+    sum_m += beyond_m;
+  }
+  EXPECT_LT(worst_m, 0.018) << "seed " << kSeed;  // the guard keeps 0.025 from the outlines
+  EXPECT_NEAR(sum_m / kRounds, 0.0, 0.004) << "seed " << kSeed;
 }
 
 TEST(Window, TellsOfEachOccupiedCellOnceWhereverItHasSlid) {
