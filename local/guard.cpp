@@ -59,7 +59,8 @@ void Guard::look(const Scan& scan) {
 }
 
 void Guard::add(Point point) {
-  if (points_.size() < points_.capacity()) points_.push_back(point);
+  const bool is_near = point.x * point.x + point.y * point.y <= near_m_ * near_m_;
+  if (is_near && points_.size() < points_.capacity()) points_.push_back(point);
 }
 
 double Guard::distanceAfter(const Velocity& velocity, double time_s) const {

@@ -23,7 +23,8 @@ void Surroundings::standOn(const BodyBox& body, const Pose& at) {
     const Point local = seen(cell);
     const bool is_on =
         local.x >= body.x.min && local.x <= body.x.max && local.y >= body.y.min && local.y <= body.y.max;
-    if (is_on || std::hypot(local.x, local.y) <= all_round_m) floor_.mark(cell);
+    const bool is_round = local.x * local.x + local.y * local.y <= all_round_m * all_round_m;
+    if (is_on || is_round) floor_.mark(cell);
   });
 }
 

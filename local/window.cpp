@@ -43,16 +43,20 @@ void Window::hit(Point at) {
   spread.yy_m2 = kept * (spread.yy_m2 + gain * y * y);
 }
 
+/// By the principal axes of a symmetric matrix of two rows; half an angle's sine and cosine without the
+/// angle.
 Window::Extents Window::extentsOf(const Spread& spread, double sigma_m) {
   constexpr double kEven = 3.0;  // half an even stretch, squared, over its variance
   const double middle = 0.5 * (static_cast<double>(spread.xx_m2) + spread.yy_m2) - sigma_m * sigma_m;
   const double half = 0.5 * (static_cast<double>(spread.xx_m2) - spread.yy_m2);
-  const double off = std::hypot(half, static_cast<double>(spread.xy_m2));
-  const double angle = 0.5 * std::atan2(static_cast<double>(spread.xy_m2), half);
-  const Point along{std::cos(angle), std::sin(angle)};
+  const double cross = spread.xy_m2;
+  const double off = std::sqrt(half * half + cross * cross);
+  const double cos_twice = off > 0.0 ? half / off : 1.0;
+  const Point along{std::sqrt(std::max(0.5 + 0.5 * cos_twice, 0.0)),
+                    std::copysign(std::sqrt(std::max(0.5 - 0.5 * cos_twice, 0.0)), cross)};
   const double longer = std::sqrt(kEven * std::max(middle + off, 0.0));
   const double shorter = std::sqrt(kEven * std::max(middle - off, 0.0));
-  return {{longer * along.x, longer * along.y}, {-shorter * along.y, shorter * along.x}};
+  return {longer, {longer * along.x, longer * along.y}, {-shorter * along.y, shorter * along.x}};
 }
 
 bool Window::isOccupied(Point at) const {

@@ -62,6 +62,7 @@ class Window {
   };
   /// From the mean of an even spread to its ends along the principal axes.
   struct Extents {
+    double length_m;  // of the longer
     Point longer;
     Point shorter;
   };
@@ -95,8 +96,8 @@ void Window::visitOccupied(Point round, double reach_m, const Visit& visit) cons
 template <class Visit>
 void Window::visitOutlines(Point round, double reach_m, double sigma_m, const Visit& visit) const {
   visitCells(round, reach_m, [&](std::size_t i, Point mean) {
-    const auto [longer, shorter] = extentsOf(spreads_[i], sigma_m);
-    const auto steps = static_cast<int>(2.0 * std::hypot(longer.x, longer.y) / kOutline_m) + 1;
+    const auto [length_m, longer, shorter] = extentsOf(spreads_[i], sigma_m);
+    const auto steps = static_cast<int>(2.0 * length_m / kOutline_m) + 1;
     for (int k = 0; k <= steps; ++k) {
       const double share = 2.0 * k / steps - 1.0;
       visit(Point{mean.x + share * longer.x, mean.y + share * longer.y});

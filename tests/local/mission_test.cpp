@@ -23,7 +23,13 @@ Outcome drive(Mission& mission, sim::SimulatedRobot& body, double limit_s) {
 const Pose kStart{0.6, 0.6, 0.0};
 const Pose kGoal{4.4, 0.6, 0.0};
 std::shared_ptr<const World> roomWith(std::vector<Obstacle> obstacles) {
-  return std::make_shared<const World>(*World::make("room", {{0, 0, 0}, 5, 3}, 0.0, std::move(obstacles)));
+  // Walls outside of 5 x 3 m: bounds alone would be seen by nobody.
+  obstacles.push_back({"south", {{2.5, -0.1, 0.4}, {5.4, 0.2, 0.8}, {}}});
+  obstacles.push_back({"north", {{2.5, 3.1, 0.4}, {5.4, 0.2, 0.8}, {}}});
+  obstacles.push_back({"west", {{-0.1, 1.5, 0.4}, {0.2, 3.0, 0.8}, {}}});
+  obstacles.push_back({"east", {{5.1, 1.5, 0.4}, {0.2, 3.0, 0.8}, {}}});
+  return std::make_shared<const World>(
+      *World::make("room", {{-0.2, -0.2, 0}, 5.4, 3.4}, 0.0, std::move(obstacles)));
 }
 const Obstacle kBox{"box", {{2.5, 0.6, 0.4}, {0.3, 0.5, 0.8}, {}}};
 const Obstacle kWall{"wall", {{2.5, 1.5, 0.4}, {0.1, 2.98, 0.8}, {}}};

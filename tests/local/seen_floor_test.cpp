@@ -18,10 +18,10 @@ bool isSeen(const SeenFloor& dut, Point at) {
 
 TEST(SeenFloor, IsSeenAsFarAsABeamPassedButNotWhereItEnds) {
   SeenFloor dut;
-  dut.pass({0.0, 0.0}, {1.0, 0.0});
-  for (const double x : {0.0, 0.5, 0.94}) EXPECT_TRUE(isSeen(dut, {x, 0.0})) << x;
-  EXPECT_FALSE(isSeen(dut, {0.99, 0.0}));
-  EXPECT_FALSE(isSeen(dut, {1.1, 0.0}));
+  dut.pass({0.0, 0.0}, {0.7, 0.0});
+  for (const double x : {0.0, 0.5, 0.64}) EXPECT_TRUE(isSeen(dut, {x, 0.0})) << x;
+  EXPECT_FALSE(isSeen(dut, {0.69, 0.0}));
+  EXPECT_FALSE(isSeen(dut, {0.8, 0.0}));
   EXPECT_FALSE(isSeen(dut, {0.5, 0.03}));
 }
 

@@ -59,6 +59,7 @@ TEST_F(Standing, GoesToAllOtherSidesAndTurnsWhereItStoodFirst) {
 }
 
 TEST_F(Standing, GoesBackWhereItCameFrom) {
+  go({}, 4.0);
   go({0.06, 0.0, 0.0}, 15.0);
   const double far_x_m = body_.truth().pose.x;
   go({-0.04, 0.0, 0.0}, 20.0);
