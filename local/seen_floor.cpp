@@ -12,7 +12,7 @@ void SeenFloor::slideTo(Point at) {
 
 void SeenFloor::pass(Point from, Point to) {
   const double far_m = std::min({distance(from, to) - kShort_m, kFar_m, grid_.toEdge(from)});
-  Grid::visitAlong(from, to, far_m, [this](std::size_t i) { is_seen_[i] = 1; });
+  Grid::visitAlong(from, to, far_m, [cells = is_seen_.data()](std::size_t i) { cells[i] = 1; });
 }
 
 void SeenFloor::mark(Point at) {

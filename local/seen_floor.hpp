@@ -15,7 +15,7 @@ class SeenFloor {
   using Grid = SlidingGrid<256, 25>;
   static constexpr double kCell_m = Grid::kCell_m;
   static constexpr double kShort_m = 0.04;  ///< of a beam's end: what it ends on may begin so much before
-  static constexpr double kFar_m = 0.8;     ///< what is further away is seen again before it matters
+  static constexpr double kFar_m = 1.2;     ///< what is further away is seen again before it matters
 
   SeenFloor();
 

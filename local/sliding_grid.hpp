@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -73,19 +74,23 @@ class SlidingGrid {
   /// as `far_m` from the first: which must lie inside.
   template <class Visit>
   static void visitAlong(Point from, Point to, double far_m, const Visit& visit) {
-    // In whole numbers of 2^-32 cells: no rounding down at each step.
-    constexpr int kFraction = 32;
-    constexpr double kUnits = 4294967296.0 / kCell_m;
+    // Places in fixed point, modulo the grid, so that no step has to be rounded down or wrapped: the grid is
+    // as wide as a word's numbers.
+    constexpr int kFraction = 32 - std::countr_zero(kCells);
+    constexpr double kUnits = static_cast<double>(std::uint64_t{1} << kFraction) / kCell_m;
+    const auto fixed = [](double m) {
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(kUnits * m)));
+    };
     const double range_m = distance(from, to);
     if (!(range_m > 0.0 && far_m > 0.0)) return;
     const double share = kCell_m / range_m;
-    const auto step_x = static_cast<std::int64_t>(kUnits * share * (to.x - from.x));
-    const auto step_y = static_cast<std::int64_t>(kUnits * share * (to.y - from.y));
-    auto x = static_cast<std::int64_t>(kUnits * from.x);
-    auto y = static_cast<std::int64_t>(kUnits * from.y);
+    const std::uint32_t step_x = fixed(share * (to.x - from.x));
+    const std::uint32_t step_y = fixed(share * (to.y - from.y));
+    std::uint32_t x = fixed(from.x);
+    std::uint32_t y = fixed(from.y);
     const auto steps = static_cast<int>(far_m / kCell_m);
     for (int k = 0; k <= steps; ++k, x += step_x, y += step_y)
-      visit(indexOf({x >> kFraction, y >> kFraction}));
+      visit((y >> kFraction) * kCells + (x >> kFraction));
   }
 
   /// Calls `visit(index, place)` for the cells within a distance of a point along both axes, as far as they

@@ -71,8 +71,8 @@ void Window::markKnown() {
 void Window::pass(Point from, Point to) {
   constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
   const double far_m = std::min(distance(from, to), grid_.toEdge(from)) - kShort_m;
-  Grid::visitAlong(from, to, far_m, [this](std::size_t i) {
-    if (hits_[i] > 0) --hits_[i];
+  Grid::visitAlong(from, to, far_m, [hits = hits_.data()](std::size_t i) {
+    if (hits[i] > 0) --hits[i];
   });
 }
 
