@@ -15,7 +15,7 @@ namespace underway {
 /// it on bit by bit. Where it stood first, it may turn: nobody could look there.
 void Surroundings::standOn(const BodyBox& body, const Pose& at) {
   constexpr double kRound_m = 0.05;  // where it stood first: that the guard lets it turn there
-  constexpr int kSettling = 20;      // ticks, in which it stands still and learns where it is
+  constexpr int kSettling = 20;  // ticks it stands still and learns where it is: ExecutorSettings has them
   const double all_round_m = stood_ < kSettling ? reachOf(body) + kRound_m : 0.0;
   stood_ = std::min(stood_ + 1, kSettling);
   const SeenFrom seen(at);
