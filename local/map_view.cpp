@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include "geometry/layer.hpp"
+#include "local/extent.hpp"
 
 namespace underway {
 namespace {
-
-struct Extent {
-  Range x;
-  Range y;
-};
 
 Extent extentOf(const Plan& plan) {
   Extent extent{{plan.goal.x, plan.goal.x}, {plan.goal.y, plan.goal.y}};
@@ -30,19 +26,20 @@ MapView::MapView(const World& world, Range heights, const Plan& plan, const Tole
     : far_from_m_(tolerance.far_from_m) {
   const Extent extent = extentOf(plan);
   corner_ = {extent.x.min - round_m, extent.y.min - round_m};
-  columns_ = static_cast<std::size_t>(std::ceil((extent.x.length() + 2.0 * round_m) / kCell_m));
-  const auto rows = static_cast<std::size_t>(std::ceil((extent.y.length() + 2.0 * round_m) / kCell_m));
+  columns_ = static_cast<std::int64_t>(std::ceil((extent.x.length() + 2.0 * round_m) / kCell_m));
+  const auto rows = static_cast<std::int64_t>(std::ceil((extent.y.length() + 2.0 * round_m) / kCell_m));
   width_ = static_cast<double>(columns_);
   height_ = static_cast<double>(rows);
-  cells_.assign(columns_ * rows, Cell::kEmpty);
+  cells_.assign(static_cast<std::size_t>(columns_ * rows), Cell::kEmpty);
   const Layer seen =
       Layer::seenIn({world.floorZ() + heights.min, world.floorZ() + heights.max}, world.obstacles());
-  for (std::size_t row = 0; row < rows; ++row)
-    for (std::size_t column = 0; column < columns_; ++column) {
+  for (std::int64_t row = 0; row < rows; ++row)
+    for (std::int64_t column = 0; column < columns_; ++column) {
       const Point middle{corner_.x + (static_cast<double>(column) + 0.5) * kCell_m,
                          corner_.y + (static_cast<double>(row) + 0.5) * kCell_m};
       if (!seen.touches(middle, tolerance.far_m)) continue;
-      cells_[row * columns_ + column] = seen.touches(middle, tolerance.near_m) ? Cell::kNear : Cell::kFar;
+      cells_[static_cast<std::size_t>(row * columns_ + column)] =
+          seen.touches(middle, tolerance.near_m) ? Cell::kNear : Cell::kFar;
     }
 }
 

@@ -33,7 +33,8 @@ class MapView {
     const double column = (at.x - corner_.x) * (1.0 / kCell_m);
     const double row = (at.y - corner_.y) * (1.0 / kCell_m);
     if (!(column >= 0.0 && row >= 0.0 && column < width_ && row < height_)) return true;
-    const Cell cell = cells_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+    const auto before = static_cast<std::int64_t>(row) * columns_;  // signed: quicker from a double
+    const Cell cell = cells_[static_cast<std::size_t>(before + static_cast<std::int64_t>(column))];
     return cell == Cell::kNear || (cell == Cell::kFar && range_m >= far_from_m_);
   }
 
@@ -42,7 +43,7 @@ class MapView {
 
   double far_from_m_ = 0.0;
   Point corner_;
-  std::size_t columns_ = 0;
+  std::int64_t columns_ = 0;
   double width_ = 0.0;  // in cells, as below
   double height_ = 0.0;
   std::vector<Cell> cells_;

@@ -59,6 +59,15 @@ struct Scan {
   double stamp_s = 0.0;  ///< when it was taken [s]
   Beams beams;
   std::vector<float> ranges_m;  ///< as many as beams.count
+
+  /// The least range of the beam nearest to a bearing and of its two neighbours [m]; 0 where they do not
+  /// look.
+  [[nodiscard]] float leastNear(double bearing_rad) const {
+    const double beam = std::round((bearing_rad - beams.first_rad) / beams.step_rad);
+    if (!(beam >= 1.0 && beam + 1.0 < static_cast<double>(beams.count))) return 0.0F;
+    const auto i = static_cast<std::size_t>(beam);
+    return std::min({ranges_m[i - 1], ranges_m[i], ranges_m[i + 1]});
+  }
 };
 
 }  // namespace underway

@@ -26,10 +26,9 @@ class SeenFloor {
   /// The cell of a point is known.
   void mark(Point at);
 
-  /// Calls `visit(middle)` for each cell within a distance of a point along both axes that was not seen, as
-  /// far as they lie inside.
+  /// Calls `visit(middle)` for each cell in an extent that was not seen, as far as they lie inside.
   template <class Visit>
-  void visitUnseen(Point round, double reach_m, const Visit& visit) const;
+  void visitUnseen(const Extent& extent, const Visit& visit) const;
 
  private:
   Grid grid_;
@@ -37,10 +36,10 @@ class SeenFloor {
 };
 
 template <class Visit>
-void SeenFloor::visitUnseen(Point round, double reach_m, const Visit& visit) const {
+void SeenFloor::visitUnseen(const Extent& extent, const Visit& visit) const {
   constexpr std::uint64_t kAllSeen = 0x0101010101010101U;
   const auto is_any_unseen = [](std::uint64_t eight) { return eight != kAllSeen; };
-  grid_.visitNear(round, reach_m, is_seen_, is_any_unseen, [&](std::size_t i, Grid::Place place) {
+  grid_.visitIn(extent, is_seen_, is_any_unseen, [&](std::size_t i, Grid::Place place) {
     if (is_seen_[i] != 0) return;
     const Point corner = Grid::cornerOf(place);
     visit(Point{corner.x + 0.5 * kCell_m, corner.y + 0.5 * kCell_m});

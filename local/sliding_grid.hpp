@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/pose.hpp"
+#include "local/extent.hpp"
 
 namespace underway {
 
@@ -26,8 +27,7 @@ class SlidingGrid {
   };
 
   [[nodiscard]] static Place placeOf(Point at) {
-    return {static_cast<std::int64_t>(std::floor(at.x * (1.0 / kCell_m))),
-            static_cast<std::int64_t>(std::floor(at.y * (1.0 / kCell_m)))};
+    return {roundedDown(at.x * (1.0 / kCell_m)), roundedDown(at.y * (1.0 / kCell_m))};
   }
   /// The corner of a cell with the least coordinates.
   [[nodiscard]] static Point cornerOf(Place place) {
@@ -78,9 +78,7 @@ class SlidingGrid {
     // as wide as a word's numbers.
     constexpr int kFraction = 32 - std::countr_zero(kCells);
     constexpr double kUnits = static_cast<double>(std::uint64_t{1} << kFraction) / kCell_m;
-    const auto fixed = [](double m) {
-      return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(kUnits * m)));
-    };
+    const auto fixed = [](double m) { return static_cast<std::uint32_t>(roundedDown(kUnits * m)); };
     const double range_m = distance(from, to);
     if (!(range_m > 0.0 && far_m > 0.0)) return;
     const double share = kCell_m / range_m;
@@ -93,14 +91,13 @@ class SlidingGrid {
       visit((y >> kFraction) * kCells + (x >> kFraction));
   }
 
-  /// Calls `visit(index, place)` for the cells within a distance of a point along both axes, as far as they
-  /// are inside; eight of them that lie side by side are left out at once where `mayMatter` says so of their
-  /// bytes.
+  /// Calls `visit(index, place)` for the cells in an extent, as far as they are inside; eight of them that
+  /// lie side by side are left out at once where `mayMatter` says so of their bytes.
   template <class MayMatter, class Visit>
-  void visitNear(Point round, double reach_m, const std::vector<std::uint8_t>& bytes,
-                 const MayMatter& mayMatter, const Visit& visit) const {
-    Place low = placeOf({round.x - reach_m, round.y - reach_m});
-    Place high = placeOf({round.x + reach_m, round.y + reach_m});
+  void visitIn(const Extent& extent, const std::vector<std::uint8_t>& bytes, const MayMatter& mayMatter,
+               const Visit& visit) const {
+    Place low = placeOf({extent.x.min, extent.y.min});
+    Place high = placeOf({extent.x.max, extent.y.max});
     low = {std::max(low.x, first_.x), std::max(low.y, first_.y)};
     high = {std::min(high.x, first_.x + kWide - 1), std::min(high.y, first_.y + kWide - 1)};
     for (std::int64_t y = low.y; y <= high.y; ++y)
@@ -113,11 +110,23 @@ class SlidingGrid {
       }
   }
 
+  /// The place of the cell with an index.
+  [[nodiscard]] Place placeAt(std::size_t index) const {
+    const auto x = static_cast<std::int64_t>(index % kCells);
+    const auto y = static_cast<std::int64_t>(index / kCells);
+    return {first_.x + ((x - first_.x) & (kWide - 1)), first_.y + ((y - first_.y) & (kWide - 1))};
+  }
+
  private:
   static constexpr auto kWide = static_cast<std::int64_t>(kCells);
   static constexpr std::int64_t kWord = 8;  // cells that are looked at together
   static_assert((kCells & (kCells - 1)) == 0 && kCells % kWord == 0);
 
+  /// As std::floor, which is a call on plain processors.
+  [[nodiscard]] static std::int64_t roundedDown(double x) {
+    const auto towards_zero = static_cast<std::int64_t>(x);
+    return towards_zero - (x < static_cast<double>(towards_zero) ? 1 : 0);
+  }
   [[nodiscard]] static std::size_t wrapped(std::int64_t at) {
     return static_cast<std::size_t>(at) & (kCells - 1);  // also of what is negative
   }

@@ -120,17 +120,16 @@ void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) 
   });
 }
 
-/// Nothing stands where beams pass. Each tick some of them are looked at for that, and others the next.
+/// Nothing stands where beams pass. Each tick some of them are looked at for floor that was seen, and others
+/// the next.
 void Surroundings::takeBack(const Scan& scan, const Pose& from) {
+  window_.takeBack(scan, from, settings_.believed_m);
+  mapped_.takeBack(scan, from, kClose_m);
   constexpr std::size_t kShare = 16;
   const std::size_t first = turn_ % kShare;
   forEachBeam(scan.beams.every(kShare, first), from.yaw, [&](std::size_t i, Point direction) {
-    const double range = scan.ranges_m[first + kShare * i];
-    const double reach = std::min(range, settings_.believed_m);
-    const auto along = [&](double m) { return Point{from.x + m * direction.x, from.y + m * direction.y}; };
-    window_.pass(from.position(), along(reach));
-    floor_.pass(from.position(), along(reach));
-    mapped_.pass(from.position(), along(std::min(reach, kClose_m)));
+    const double reach = std::min<double>(scan.ranges_m[first + kShare * i], settings_.believed_m);
+    floor_.pass(from.position(), {from.x + reach * direction.x, from.y + reach * direction.y});
   });
 }
 

@@ -62,6 +62,7 @@ class Surroundings {
 
  private:
   void standOn(const BodyBox& body, const Pose& at);
+  void standFirstAt(double reach_m, Point at);
   void addUnseenFloor(const Pose& from);
   /// Calls `visit(cell)` for floor that was not seen in a box round a pose, and that the map has nothing on.
   template <class Visit>

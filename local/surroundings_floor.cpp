@@ -10,21 +10,29 @@
 #include "local/surroundings.hpp"
 
 namespace underway {
+namespace {
+
+constexpr int kSettling = 20;  // ticks it stands still and learns where it is: ExecutorSettings has them
+
+}  // namespace
 
 /// Where it stands or lies nothing else does; beside it something may, or a belief that trembles would lead
 /// it on bit by bit. Where it stood first, it may turn: nobody could look there.
 void Surroundings::standOn(const BodyBox& body, const Pose& at) {
-  constexpr double kRound_m = 0.05;  // where it stood first: that the guard lets it turn there
-  constexpr int kSettling = 20;  // ticks it stands still and learns where it is: ExecutorSettings has them
-  const double all_round_m = stood_ < kSettling ? reachOf(body) + kRound_m : 0.0;
-  stood_ = std::min(stood_ + 1, kSettling);
+  if (stood_ < kSettling) ++stood_, standFirstAt(reachOf(body), at.position());
   const SeenFrom seen(at);
-  floor_.visitUnseen(at.position(), reachOf(body) + kRound_m, [&](Point cell) {
+  floor_.visitUnseen(extentOf(body, at), [&](Point cell) {
     const Point local = seen(cell);
-    const bool is_on =
-        local.x >= body.x.min && local.x <= body.x.max && local.y >= body.y.min && local.y <= body.y.max;
-    const bool is_round = local.x * local.x + local.y * local.y <= all_round_m * all_round_m;
-    if (is_on || is_round) floor_.mark(cell);
+    if (local.x >= body.x.min && local.x <= body.x.max && local.y >= body.y.min && local.y <= body.y.max)
+      floor_.mark(cell);
+  });
+}
+
+void Surroundings::standFirstAt(double reach_m, Point at) {
+  constexpr double kRound_m = 0.05;  // that the guard lets it turn there
+  const double round_m = reach_m + kRound_m;
+  floor_.visitUnseen(round(at, round_m), [&](Point cell) {
+    if (distance(cell, at) <= round_m) floor_.mark(cell);
   });
 }
 
@@ -33,7 +41,7 @@ void Surroundings::addUnseenFloor(const Pose& from) {
   if (!robot_->senses.waist) return;
   constexpr double kReach_m = 0.35;  // of the body's corners and what a second leads to
   const SeenFrom seen(from);
-  floor_.visitUnseen(from.position(), kReach_m, [&](Point cell) {
+  floor_.visitUnseen(round(from.position(), kReach_m), [&](Point cell) {
     if (!waist_map_.isExpected(cell, 0.0)) against_unseen_.add(seen(cell));
   });
 }
@@ -41,7 +49,7 @@ void Surroundings::addUnseenFloor(const Pose& from) {
 std::vector<Point> Surroundings::unseenNear(Point at, double reach_m) const {
   std::vector<Point> cells;
   if (!robot_->senses.waist) return cells;
-  floor_.visitUnseen(at, reach_m, [&](Point cell) {
+  floor_.visitUnseen(round(at, reach_m), [&](Point cell) {
     if (!waist_map_.isExpected(cell, 0.0)) cells.push_back(cell);
   });
   return cells;
@@ -50,7 +58,7 @@ std::vector<Point> Surroundings::unseenNear(Point at, double reach_m) const {
 template <class Visit>
 void Surroundings::visitUnseenIn(const BodyBox& box, const Pose& at, const Visit& visit) const {
   const SeenFrom seen(at);
-  floor_.visitUnseen(at.position(), reachOf(box), [&](Point cell) {
+  floor_.visitUnseen(extentOf(box, at), [&](Point cell) {
     const Point local = seen(cell);
     if (local.x > box.x.min && local.x < box.x.max && local.y > box.y.min && local.y < box.y.max &&
         !waist_map_.isExpected(cell, 0.0))

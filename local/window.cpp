@@ -1,7 +1,10 @@
 #include "local/window.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "local/seen_from.hpp"
 
 namespace underway {
 namespace {
@@ -26,6 +29,7 @@ void Window::hit(Point at) {
   Mean& mean = means_[i];
   Spread& spread = spreads_[i];
   if (hits < kMost) ++hits;
+  may_have_hits_[i / 64] |= std::uint64_t{1} << i % 64;
   const Point corner = Grid::cornerOf(place);
   if (hits == 1) {
     mean = {static_cast<float>(at.x - corner.x), static_cast<float>(at.y - corner.y)};
@@ -68,12 +72,20 @@ void Window::markKnown() {
   for (std::size_t i = 0; i < hits_.size(); ++i) is_known_[i] = hits_[i] >= kSure ? 1 : 0;
 }
 
-void Window::pass(Point from, Point to) {
-  constexpr double kShort_m = kCell_m;  // of the end: what stands there may reach nearer
-  const double far_m = std::min(distance(from, to), grid_.toEdge(from)) - kShort_m;
-  Grid::visitAlong(from, to, far_m, [hits = hits_.data()](std::size_t i) {
-    if (hits[i] > 0) --hits[i];
-  });
+void Window::takeBack(const Scan& scan, const Pose& from, double far_m) {
+  const SeenFrom seen(from);
+  const auto is_passed = [&](std::size_t i) {
+    const Point at = seen(meanOf(i, grid_.placeAt(i)));
+    const double range_m = std::sqrt(at.x * at.x + at.y * at.y);
+    return range_m < far_m && scan.leastNear(std::atan2(at.y, at.x)) > range_m + kShort_m;
+  };
+  for (std::size_t word = half_; word < may_have_hits_.size(); word += 2)
+    for (std::uint64_t left = may_have_hits_[word]; left != 0; left &= left - 1) {
+      const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(left));
+      if (hits_[i] > 0 && is_passed(i)) --hits_[i];
+      if (hits_[i] == 0) may_have_hits_[word] &= ~(left & (~left + 1));
+    }
+  half_ = 1 - half_;
 }
 
 void VirtualObstacles::add(Point at, double radius_m) {

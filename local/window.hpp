@@ -12,9 +12,9 @@
 namespace underway {
 
 /// A grid of what was seen lately, that slides along with the robot: 6.4 x 6.4 m in cells of 5 cm. What
-/// slides out is forgotten. A cell remembers how often something was seen in it; beams that pass through it
-/// take that back. Every tick a part of the beams is looked at for that, so time is bounded; allocates only
-/// when made. Points are in any one frame that stands still: the map's, or that of dead reckoning.
+/// slides out is forgotten. A cell remembers how often something was seen in it; beams that pass through that
+/// take it back. Time is bounded; allocates only when made. Points are in any one frame that stands still:
+/// the map's, or that of dead reckoning.
 class Window {
  public:
   static constexpr std::size_t kCells = 128;
@@ -29,9 +29,11 @@ class Window {
   void slideTo(Point at);
   /// Something was seen at a point; outside the window it is passed over.
   void hit(Point at);
-  /// Nothing stands between two points, but near the second: the cells between them are seen less, as far as
-  /// the window's nearest edge.
-  void pass(Point from, Point to);
+  /// Nothing stands where the beams of a scan pass, which was taken from a pose. What was seen nearer than
+  /// `far_m`, by its mean, is seen once less where the three beams nearest to that end more than kShort_m
+  /// behind it. Each call looks at half of the cells, and the next at the other half.
+  void takeBack(const Scan& scan, const Pose& from, double far_m);
+  static constexpr double kShort_m = kCell_m;
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
@@ -40,12 +42,12 @@ class Window {
   /// Calls `visit(at, is_known)` for each occupied cell within a distance of a point along both axes, with
   /// the mean of what was seen in it.
   template <class Visit>
-  void visitOccupied(Point round, double reach_m, const Visit& visit) const;
+  void visitOccupied(Point about, double reach_m, const Visit& visit) const;
   /// Calls `visit(at)` for points that outline what was seen in each of those cells, kOutline_m apart at
   /// most: as far as it spreads from its mean along both of its principal axes by more than noise. Of a face
   /// they lie along it, to its end; of a corner one is at its tip. `sigma_m`: of what sees.
   template <class Visit>
-  void visitOutlines(Point round, double reach_m, double sigma_m, const Visit& visit) const;
+  void visitOutlines(Point about, double reach_m, double sigma_m, const Visit& visit) const;
   static constexpr double kOutline_m = 0.0125;
 
  private:
@@ -67,35 +69,40 @@ class Window {
     Point shorter;
   };
   [[nodiscard]] static Extents extentsOf(const Spread& spread, double sigma_m);
+  /// Of eight cells.
+  [[nodiscard]] static bool isAnyHit(std::uint64_t eight) { return eight != 0; }
+  [[nodiscard]] Point meanOf(std::size_t i, Grid::Place place) const {
+    const Point corner = Grid::cornerOf(place);
+    return {corner.x + means_[i].x_m, corner.y + means_[i].y_m};
+  }
   /// Calls `visit(index, mean)` for each occupied cell.
   template <class Visit>
-  void visitCells(Point round, double reach_m, const Visit& visit) const;
+  void visitCells(Point about, double reach_m, const Visit& visit) const;
 
   Grid grid_;
   std::vector<std::uint8_t> hits_;  // bytes: most cells are asked no more than whether there are any
   std::vector<std::uint8_t> is_known_;
   std::vector<Mean> means_;  // of those with hits
   std::vector<Spread> spreads_;
+  std::array<std::uint64_t, Grid::kCount / 64> may_have_hits_{};  // a bit for each cell; others have none
+  std::size_t half_ = 0;  // of those words, the odd or the even ones: looked at next for what to take back
 };
 
 template <class Visit>
-void Window::visitCells(Point round, double reach_m, const Visit& visit) const {
-  const auto is_any_hit = [](std::uint64_t eight) { return eight != 0; };
-  grid_.visitNear(round, reach_m, hits_, is_any_hit, [&](std::size_t i, Grid::Place place) {
-    if (hits_[i] < kSure) return;
-    const Point corner = Grid::cornerOf(place);
-    visit(i, Point{corner.x + means_[i].x_m, corner.y + means_[i].y_m});
+void Window::visitCells(Point about, double reach_m, const Visit& visit) const {
+  grid_.visitIn(round(about, reach_m), hits_, isAnyHit, [&](std::size_t i, Grid::Place place) {
+    if (hits_[i] >= kSure) visit(i, meanOf(i, place));
   });
 }
 
 template <class Visit>
-void Window::visitOccupied(Point round, double reach_m, const Visit& visit) const {
-  visitCells(round, reach_m, [&](std::size_t i, Point mean) { visit(mean, is_known_[i] != 0); });
+void Window::visitOccupied(Point about, double reach_m, const Visit& visit) const {
+  visitCells(about, reach_m, [&](std::size_t i, Point mean) { visit(mean, is_known_[i] != 0); });
 }
 
 template <class Visit>
-void Window::visitOutlines(Point round, double reach_m, double sigma_m, const Visit& visit) const {
-  visitCells(round, reach_m, [&](std::size_t i, Point mean) {
+void Window::visitOutlines(Point about, double reach_m, double sigma_m, const Visit& visit) const {
+  visitCells(about, reach_m, [&](std::size_t i, Point mean) {
     const auto [length_m, longer, shorter] = extentsOf(spreads_[i], sigma_m);
     const auto steps = static_cast<int>(2.0 * length_m / kOutline_m) + 1;
     for (int k = 0; k <= steps; ++k) {

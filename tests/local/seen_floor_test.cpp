@@ -12,7 +12,7 @@ constexpr Point kThere{1.01, 0.51};
 
 bool isSeen(const SeenFloor& dut, Point at) {
   bool is_seen = true;
-  dut.visitUnseen(at, 0.0, [&](Point) { is_seen = false; });
+  dut.visitUnseen(round(at, 0.0), [&](Point) { is_seen = false; });
   return is_seen;
 }
 
@@ -49,7 +49,7 @@ TEST(SeenFloor, TellsTheMiddlesOfCellsThatWereNotSeen) {
   const Point middle{0.5 * SeenFloor::kCell_m, 0.5 * SeenFloor::kCell_m};
   dut.mark(middle);
   int cells = 0;
-  dut.visitUnseen(middle, SeenFloor::kCell_m, [&](Point at) {
+  dut.visitUnseen(round(middle, SeenFloor::kCell_m), [&](Point at) {
     ++cells;
     EXPECT_FALSE(isSeen(dut, at));
     EXPECT_NEAR(std::max(std::abs(at.x - middle.x), std::abs(at.y - middle.y)), SeenFloor::kCell_m, 1e-9);
@@ -62,7 +62,7 @@ TEST(SeenFloor, PassesOverWhatIsOutside) {
   dut.mark({100.0, 0.0});
   dut.pass({100.0, 0.0}, {101.0, 0.0});
   int cells = 0;
-  dut.visitUnseen({100.0, 0.0}, 1.0, [&](Point) { ++cells; });
+  dut.visitUnseen(round({100.0, 0.0}, 1.0), [&](Point) { ++cells; });
   EXPECT_EQ(cells, 0);
 }
 

@@ -26,18 +26,78 @@ TEST(Window, IsSureOfWhatWasSeenOftenEnough) {
   EXPECT_FALSE(dut.isOccupied({kThere.x + 0.1, kThere.y}));
 }
 
+/// A lidar's scan in which every beam ends at the same range.
+Scan scanTo(double range_m) {
+  Scan scan;
+  scan.ranges_m.assign(scan.beams.count, static_cast<float>(range_m));
+  return scan;
+}
+
+void takeBackInAllRows(Window& window, const Scan& scan, const Pose& from, double far_m = 2.5) {
+  for (int part = 0; part < 2; ++part) window.takeBack(scan, from, far_m);
+}
+
 TEST(Window, TakesBackWhatIsSeenThrough) {
   Window dut;
   hitOften(dut, kThere);
-  dut.pass({0.0, 0.0}, {2.0 * kThere.x, 2.0 * kThere.y});
+  takeBackInAllRows(dut, scanTo(2.0), {0.0, 0.0, 0.3});
   EXPECT_FALSE(dut.isOccupied(kThere));
 }
 
-TEST(Window, KeepsWhatABeamEndsOn) {
+TEST(Window, KeepsWhatBeamsEndOnAndWhatNoneLooksAt) {
+  const double range_m = std::hypot(kThere.x, kThere.y);
+  const double bearing = std::atan2(kThere.y, kThere.x);
+  Scan one_ends_on_it = scanTo(2.0);
+  const auto beam = static_cast<std::size_t>(
+      std::lround((bearing - one_ends_on_it.beams.first_rad) / one_ends_on_it.beams.step_rad));
+  one_ends_on_it.ranges_m[beam + 1] = static_cast<float>(range_m + 0.03);
   Window dut;
   hitOften(dut, kThere);
-  for (int i = 0; i < 10; ++i) dut.pass({0.0, 0.0}, kThere);
+  for (int i = 0; i < 10; ++i) {
+    takeBackInAllRows(dut, scanTo(range_m), {});
+    takeBackInAllRows(dut, one_ends_on_it, {});
+    takeBackInAllRows(dut, scanTo(2.0), {0.0, 0.0, bearing + std::numbers::pi});  // it is behind
+    takeBackInAllRows(dut, scanTo(2.0), {}, 1.0);                                 // it is further
+  }
   EXPECT_TRUE(dut.isOccupied(kThere));
+}
+
+/// Points at random, of which each is asked for by itself, slowly.
+TEST(Window, TakesBackExactlyWhatThreeBeamsPassWhereverItHasSlid) {
+  constexpr unsigned kSeed = 11;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> off(-3.0, 3.0);
+  std::uniform_real_distribution<float> range(0.1F, 3.5F);
+  int taken_back = 0;
+  for (int round = 0; round < 60; ++round) {
+    Window dut;
+    const Pose from{10.0 * off(random), 10.0 * off(random), off(random)};
+    dut.slideTo(from.position());
+    std::vector<Point> points;
+    for (int i = 0; i < 40; ++i) points.push_back({from.x + off(random), from.y + off(random)});
+    for (const Point p : points) hitOften(dut, p);
+    const auto before = points;
+    std::erase_if(points, [&](Point p) { return !dut.isOccupied(p); });
+    Scan scan = scanTo(0.0);
+    for (std::size_t i = 0; i < scan.ranges_m.size(); i += 20)  // walls that many beams end on
+      std::fill_n(&scan.ranges_m[i], std::min<std::size_t>(20, scan.ranges_m.size() - i), range(random));
+    takeBackInAllRows(dut, scan, from);
+    for (const Point p : points) {
+      const double range_m = distance(p, from.position());
+      const double bearing = normalizedAngle(std::atan2(p.y - from.y, p.x - from.x) - from.yaw);
+      bool is_passed = range_m < 2.5 && std::abs(bearing) < -scan.beams.first_rad - scan.beams.step_rad;
+      for (std::size_t i = 0; i < scan.beams.count; ++i)
+        if (std::abs(scan.beams.bearing(i) - bearing) < 1.5 * scan.beams.step_rad)
+          is_passed &= scan.ranges_m[i] > range_m + Window::kShort_m;
+      taken_back += is_passed ? 1 : 0;
+      const bool is_shared = std::count_if(before.begin(), before.end(), [&](Point other) {
+                               return distance(p, other) < 2.0 * Window::kCell_m;
+                             }) > 1;
+      if (is_shared) continue;
+      ASSERT_EQ(dut.isOccupied(p), !is_passed) << "seed " << kSeed << " round " << round;
+    }
+  }
+  EXPECT_GT(taken_back, 200);
 }
 
 TEST(Window, KeepsWhatStaysInsideAsItSlides) {
