@@ -1,7 +1,10 @@
 #include "apps/arguments.hpp"
 
+#include <unistd.h>
+
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <vector>
 
@@ -77,6 +80,24 @@ Expected<std::uint64_t> parseWhole(const std::string& text) {
   if (error == std::errc{} && stopped == end) return number;
   return fail(ErrorCode::kInvalidRequest,
               "\"" + text + "\" is not a whole number from 0 to 18446744073709551615");
+}
+
+/// The name of a file, if its folder can take one.
+Expected<std::string> mayBeWritten(const std::string& name) {
+  const std::filesystem::path file(name);
+  const std::filesystem::path parent = file.parent_path();
+  const std::filesystem::path folder = parent.empty() ? "." : parent;
+  const auto refuse = [&](const std::string& why) {
+    return fail(ErrorCode::kInvalidRequest, "cannot write \"" + name + "\": " + why);
+  };
+  std::error_code error;
+  if (name.empty()) return name;  // main says it of every option
+  if (std::filesystem::is_directory(file, error)) return refuse("it is a folder; give a file in it");
+  if (!std::filesystem::is_directory(folder, error))
+    return refuse("there is no folder \"" + folder.string() + "\"; make it first");
+  if (access(folder.c_str(), W_OK) != 0 && access(file.c_str(), W_OK) != 0)
+    return refuse("folder \"" + folder.string() + "\" cannot be written to");
+  return name;
 }
 
 Expected<ModeId> modeOf(const std::string& mode_name, const std::string& flag, const Robot& robot) {
@@ -220,9 +241,14 @@ CLI::Option* addObstacles(CLI::App& command, const std::string& flag, std::vecto
 }
 
 void addOutput(CLI::App& command, OutputArguments& arguments) {
-  command.add_option("--json", arguments.json, "Write the plan, or why there is none; - for standard output")
-      ->type_name("FILE|-");
-  command.add_option("--svg", arguments.svg, "Draw map and plan")->type_name("FILE");
+  addOutputFile(command, "--json", arguments.json, "FILE|-",
+                "Write the plan, or why there is none; - for standard output");
+  addOutputFile(command, "--svg", arguments.svg, "FILE", "Draw map and plan");
+}
+
+CLI::Option* addOutputFile(CLI::App& command, const std::string& flag, std::string& file,
+                           const std::string& shape, const std::string& help) {
+  return addParsed(command, flag, file, mayBeWritten, shape, help);
 }
 
 void addDomain(CLI::App& command, DomainSettings& domain) {

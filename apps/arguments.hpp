@@ -74,6 +74,10 @@ void addProgress(CLI::App& command, FollowArguments& arguments);
 CLI::Option* addObstacles(CLI::App& command, const std::string& flag, std::vector<Obstacle>& obstacles,
                           const std::string& help);
 void addOutput(CLI::App& command, OutputArguments& arguments);
+/// A file to be written in the end. That its folder is there is checked before any work is done. `shape`:
+/// FILE and the like; with "FILE|-" it may be standard output.
+CLI::Option* addOutputFile(CLI::App& command, const std::string& flag, std::string& file,
+                           const std::string& shape, const std::string& help);
 /// --pose and the like.
 CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<Pose>& pose,
                      const std::string& help);

@@ -115,9 +115,10 @@ ExitCode run(const Arguments& arguments) {
   if (!reply) return refuse(reply.error());
   if (!site.world) return deliver(*reply, arguments.output, {});
   if (!hasModesOf(*reply, *site.robot)) {
+    const ExitCode delivered = deliver(*reply, arguments.output, {});  // all but the picture
     complain("--svg: the server's robot \"" + reply->robot_name + "\" has other modes than robot \"" +
              site.robot->name + "\"; give --robot the file that the server uses");
-    return ExitCode::kInvalidInput;
+    return delivered == ExitCode::kDone ? ExitCode::kInvalidInput : delivered;
   }
   return deliver(*reply, arguments.output, [&] {
     return drawSvg({*site.world, *site.robot, nullptr, &*reply});

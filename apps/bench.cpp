@@ -207,8 +207,7 @@ Subcommand addBenchCommand(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember(
           {"scenarios", "refusals", "gait", "geometry", "local", "peers", "physics", "planner", "planners"}));
-  command.add_option("--json", arguments->json, "Write the figures; - for standard output")
-      ->type_name("FILE|-");
+  addOutputFile(command, "--json", arguments->json, "FILE|-", "Write the figures; - for standard output");
   command.add_flag("--quick", arguments->quick, "A small share of the cases");
   command.add_option("--grid", arguments->grid, "geometry: a large grid map (YAML, or an image)")
       ->type_name("FILE");

@@ -109,8 +109,7 @@ Subcommand addChangeCommand(CLI::App& program) {
   addWhole(command, "--if-revision", arguments->if_revision, "Only if the world is at this revision");
   command.add_option("--robot-name", arguments->robot_name, "Who asks (operator)")->type_name("NAME");
   addDomain(command, arguments->domain);
-  command.add_option("--json", arguments->json, "Write the answer; - for standard output")
-      ->type_name("FILE|-");
+  addOutputFile(command, "--json", arguments->json, "FILE|-", "Write the answer; - for standard output");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

@@ -179,11 +179,9 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
       ->type_name("RAD");
   crawl.add_flag("--standing", arguments.is_from_standing,
                  "The table also goes down from standing before, and gets up after");
-  crawl.add_option("--out", arguments.out, "The joint table; .csv, or .json as NAOqi takes it")
-      ->type_name("FILE");
-  crawl.add_option("--plot", arguments.plot, "Draw the push and the cycles")->type_name("FILE.svg");
-  crawl.add_option("--html", arguments.html, "Animate the cycles, seen from the side")
-      ->type_name("FILE.html");
+  addOutputFile(crawl, "--out", arguments.out, "FILE", "The joint table; .csv, or .json as NAOqi takes it");
+  addOutputFile(crawl, "--plot", arguments.plot, "FILE.svg", "Draw the push and the cycles");
+  addOutputFile(crawl, "--html", arguments.html, "FILE.html", "Animate the cycles, seen from the side");
   crawl.footer(kCrawlExamples);
   return crawl;
 }

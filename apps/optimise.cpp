@@ -171,8 +171,8 @@ std::function<ExitCode()> addOptimise(CLI::App& gait_command, CLI::App*& command
   command->add_option("--push-s", arguments->push_s, "Duration of the push")
       ->check(CLI::Range(0.1, 60.0))
       ->capture_default_str();
-  command->add_option("--out", arguments->out, "Write the gait")->type_name("FILE.json");
-  command->add_option("--plot", arguments->plot, "Draw the search")->type_name("FILE.svg");
+  addOutputFile(*command, "--out", arguments->out, "FILE.json", "Write the gait");
+  addOutputFile(*command, "--plot", arguments->plot, "FILE.svg", "Draw the search");
   command->footer(kExamples);
   return [arguments] { return run(*arguments); };
 }

@@ -118,8 +118,7 @@ Subcommand addQueryCommand(CLI::App& program) {
   addMap(command, arguments->map)->required();
   addRobot(command, arguments->robot);
   addPose(command, "--pose", arguments->pose, "Pose to judge [m, m, rad]")->required();
-  command.add_option("--json", arguments->json, "Write the judgement; - for standard output")
-      ->type_name("FILE|-");
+  addOutputFile(command, "--json", arguments->json, "FILE|-", "Write the judgement; - for standard output");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

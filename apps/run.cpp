@@ -263,7 +263,7 @@ Subcommand addRunCommand(CLI::App& program) {
   command.add_option("--limit-s", arguments->limit_s, "Simulated seconds after which it is given up (1800)")
       ->type_name("S")
       ->check(CLI::Range(1.0, 86400.0));
-  command.add_option("--html", arguments->html, "Write a page that shows the run again")->type_name("FILE");
+  addOutputFile(command, "--html", arguments->html, "FILE", "Write a page that shows the run again");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

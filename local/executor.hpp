@@ -22,8 +22,8 @@ struct ExecutorSettings {
   CrawlSettings crawl;
   SurroundingsSettings surroundings;
   double tick_s = 0.1;
-  int settled_fixes = 20;       ///< fixes of localisation in a row that it moves after
-  double lost_after_s = 1.0;    ///< standing without localisation
+  int settled_fixes = Surroundings::kSettling;  ///< fixes of localisation in a row that it moves after
+  double lost_after_s = 1.0;                    ///< standing without localisation
   double stuck_after_s = 15.0;  ///< no progress along the plan while walking is a blocked segment
 };
 

@@ -27,6 +27,7 @@ struct SurroundingsSettings {
 class Surroundings {
  public:
   static constexpr double kUnseen_m = 0.03;  ///< kept from the middle of a cell of floor that was never seen
+  static constexpr int kSettling = 20;       ///< ticks it stands still at first and learns where it is
 
   Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
 

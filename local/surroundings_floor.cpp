@@ -10,11 +10,6 @@
 #include "local/surroundings.hpp"
 
 namespace underway {
-namespace {
-
-constexpr int kSettling = 20;  // ticks it stands still and learns where it is: ExecutorSettings has them
-
-}  // namespace
 
 /// Where it stands or lies nothing else does; beside it something may, or a belief that trembles would lead
 /// it on bit by bit. Where it stood first, it may turn: nobody could look there.

@@ -33,7 +33,7 @@ class Window {
   /// `far_m`, by its mean, is seen once less where the three beams nearest to that end more than kShort_m
   /// behind it. Each call looks at half of the cells, and the next at the other half.
   void takeBack(const Scan& scan, const Pose& from, double far_m);
-  static constexpr double kShort_m = kCell_m;
+  static constexpr double kShort_m = 0.02;
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.

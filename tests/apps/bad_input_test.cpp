@@ -242,7 +242,7 @@ TEST(BadInput, AnOutputThatCannotBeWrittenIsSaid) {
   const Folder folder;
   const std::string map = folder.write("map.yaml", kScenario);
   const Outcome run = runProgram({"query", "--map", map, "--pose", "1,1,0", "--json", "/nowhere/query.json"});
-  expectOneSentence(run, 1, "/nowhere/query.json");
+  expectOneSentence(run, 2, "/nowhere/query.json");
 }
 
 /// No file may grow above this while it lives, as on a disk that is full.

@@ -94,7 +94,10 @@ TEST(Run, RefusesWhatCannotBeInASentence) {
   EXPECT_EQ(with({"--unmapped", "box=1,2"}).exit_code, 2);
   EXPECT_EQ(with({"--unmapped", "wall_left=1,2,0.3,0.1,0.1,0.1"}).exit_code, 2);
   EXPECT_EQ(with({"--truth", "no_such.yaml"}).exit_code, 2);
-  EXPECT_EQ(with({"--html", "/no/such/folder/a.html"}).exit_code, 1);
+  const Outcome nowhere = with({"--html", "/no/such/folder/a.html"});
+  EXPECT_EQ(nowhere.exit_code, 2);  // before it drives
+  EXPECT_TRUE(says(sentence(nowhere), "no folder \"/no/such/folder\""));
+  EXPECT_EQ(nowhere.output, "");
 }
 
 TEST(Follow, WithoutARobotSaysSo) {
