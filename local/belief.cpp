@@ -9,6 +9,13 @@ namespace {
 constexpr int kFirst = 30;           // headings, before drift can be told from them
 constexpr double kMostDrift = 0.15;  // [rad/m]
 
+/// The part of a vector that lies across a direction.
+Point across(Point vector, double direction_rad) {
+  const Point left{-std::sin(direction_rad), std::cos(direction_rad)};
+  const double size = vector.x * left.x + vector.y * left.y;
+  return {size * left.x, size * left.y};
+}
+
 }  // namespace
 
 void Belief::set(const Pose& pose) {
@@ -33,17 +40,22 @@ void Belief::move(double x_m, double y_m, double turn_rad) {
   past_[newest_] = pose_;
 }
 
-void Belief::correct(const Senses& senses) {
+void Belief::doubt() {
+  fixes_ = headings_ = 0;
+  weight_ = 0.0;
+}
+
+void Belief::correct(const Senses& senses, bool is_lying) {
   if (!senses.pose) {
-    fixes_ = 0;
     if (senses.heading_rad) correctHeading(normalizedAngle(*senses.heading_rad - pose_.yaw));
     return;
   }
   const Pose& then = at(senses.pose->stamp_s, senses.now_s);
   const Pose& measured = senses.pose->pose;
   ++fixes_;
-  const double gain = std::max(settings_.gain, 1.0 / (1.0 + fixes_));
-  const Point off{gain * (measured.x - then.x), gain * (measured.y - then.y)};
+  const double gain = std::max(settings_.gain, 1.0 / (weight_ + fixes_));
+  Point off{gain * (measured.x - then.x), gain * (measured.y - then.y)};
+  if (is_lying) off = across(off, pose_.yaw);
   for (Pose& past : past_) past.x += off.x, past.y += off.y;
   pose_.x += off.x;
   pose_.y += off.y;
@@ -55,7 +67,7 @@ void Belief::correct(const Senses& senses) {
 
 void Belief::correctHeading(double off_rad) {
   ++headings_;
-  const double gain = std::max(settings_.heading_gain, 1.0 / (1.0 + headings_));
+  const double gain = std::max(settings_.heading_gain, 1.0 / (weight_ + headings_));
   moved_m_ = 0.0;
   for (Pose& past : past_) past.yaw = normalizedAngle(past.yaw + gain * off_rad);
   pose_.yaw = normalizedAngle(pose_.yaw + gain * off_rad);

@@ -28,8 +28,13 @@ class Belief {
   void move(double x_m, double y_m, double turn_rad);
   /// A change of mode has moved it by this, in its body frame.
   void jump(const Pose& displacement);
-  /// What localisation says, or while it is silent the inertial heading alone.
-  void correct(const Senses& senses);
+  /// What localisation says, or while it is silent the inertial heading alone. While it lies, what that says
+  /// along the body is passed over: the belief is told of strokes when they have ended.
+  void correct(const Senses& senses, bool is_lying = false);
+  /// Fixes are counted anew.
+  void countAnew() { fixes_ = 0; }
+  /// It may have been carried elsewhere: the next fix is believed whole.
+  void doubt();
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
   /// Fixes of localisation in a row.
@@ -47,6 +52,7 @@ class Belief {
   std::array<Pose, kPast> past_{};  // a ring; the newest at newest_
   std::size_t newest_ = 0;
   int fixes_ = 0;
+  double weight_ = 1.0;  // of what it believed before those, in fixes
   int headings_ = 0;
   double moved_m_ = 0.0;  // since the last correction
   double drift_rad_per_m_ = 0.0;

@@ -31,6 +31,7 @@ void Executor::follow(Plan plan, std::shared_ptr<const World> world, const World
   plan_ = std::move(plan);
   segment_ = 0;
   state_ = State::kIdle;
+  is_stroke_ = false;
   if (!has_pose_ && !plan_.segments.empty()) belief_.set(plan_.segments.front().motion.from);
   beginSegment();
 }
@@ -57,26 +58,44 @@ Tick Executor::tick(const Senses& senses) {
 // --- belief ------------------------------------------------------------------------------------------------
 
 void Executor::believe(const Senses& senses) {
+  if (!is_told_) mode_ = senses.mode, cycles_ = senses.cycles, is_told_ = true;
   if (!has_pose_ && senses.pose) belief_.set(senses.pose->pose), has_pose_ = true;
   if (senses.mode != mode_) {
     if (const Switch* change = robot_->findSwitch(mode_, senses.mode)) belief_.jump(change->displacement);
     mode_ = senses.mode;
     crawled_ = 0;
-  }
-  const double tick = settings_.tick_s;
-  if (!isLow(*robot_, mode_))
-    belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
-  if (senses.cycles != cycles_) {
-    const auto made = static_cast<int>(senses.cycles - cycles_);
-    belief_.move(made * stride_ * settings_.crawl.kept * settings_.crawl.stroke_m, 0.0, 0.0);
-    cycles_ = senses.cycles;
-    crawled_ += made;
     is_stroke_ = false;
   }
+  const double tick = settings_.tick_s;
+  if (isLow(*robot_, mode_))
+    believeStrokes(senses.cycles);
+  else
+    belief_.move(last_.velocity.x_mps * tick, last_.velocity.y_mps * tick, last_.velocity.turn_radps * tick);
+  cycles_ = senses.cycles;
   stroke_s_ = is_stroke_ ? stroke_s_ + tick : 0.0;
-  belief_.correct(senses);
+  belief_.correct(senses, isLow(*robot_, mode_));
+  watchLocalisation(senses);
+}
+
+/// A stroke counts when its cycle has ended. A count that falls, or jumps, is of a robot that has begun anew.
+void Executor::believeStrokes(std::uint64_t cycles) {
+  constexpr std::uint64_t kMost = 3;  // between two words of the robot
+  const std::uint64_t made = cycles - cycles_;
+  const bool is_made = made > 0 && made <= kMost;
+  const double way_m = is_made ? stride_ * settings_.crawl.kept * settings_.crawl.stroke_m : 0.0;
+  belief_.move(is_made ? static_cast<double>(made) * way_m : 0.0, 0.0, 0.0);
+  if (!is_made) return;
+  crawled_ += static_cast<int>(made);
+  is_stroke_ = false;
+}
+
+/// A fix that is missing now and then does not matter; after a silence of some length, or a fall, what was
+/// believed before does not.
+void Executor::watchLocalisation(const Senses& senses) {
   const bool should_know = !isLow(*robot_, mode_) && !senses.is_switching;
-  silent_s_ = should_know && !senses.pose ? silent_s_ + tick : 0.0;
+  silent_s_ = should_know && !senses.pose ? silent_s_ + settings_.tick_s : 0.0;
+  if (!should_know && !senses.pose) belief_.countAnew();
+  if (silent_s_ > settings_.lost_after_s || senses.has_fallen) belief_.doubt();
 }
 
 // --- where in the plan -------------------------------------------------------------------------------------
@@ -147,10 +166,8 @@ Situation Executor::situation(const Senses& senses) {
   if (state_ == State::kWalking || state_ == State::kAligning) is.is_blocked = isBlocked();
   if (is.next == Next::kDown && state_ == State::kAligning) is.is_aligned = isAligned();
   if (is.next == Next::kUp && state_ == State::kCrawling) is.has_room_up = hasRoomUpHere();
-  if (state_ == State::kCrawling) {
-    stalled_by_ = is.has_room_up ? "" : stalledBy();
-    is.is_stalled = !stalled_by_.empty();
-  }
+  if (state_ != State::kStalled) stalled_by_ = is.has_room_up ? "" : stalledBy();
+  is.is_stalled = !stalled_by_.empty();
   return is;
 }
 
@@ -160,6 +177,8 @@ bool Executor::isBlocked() {
   constexpr double kLongestLook_s = 40.0;  // once round
   constexpr double kPatience = 4.0;        // aligning takes longer
   const double patience = state_ == State::kAligning ? kPatience : 1.0;
+  is_held_ = false;
+  if (follow_.isAstray(*segment, belief_.pose())) return true;
   is_held_ = looked_s_ > kLongestLook_s || idle_s_ > settings_.stuck_after_s * patience;
   if (is_held_) return true;
   const Motion& motion = segment->motion;
@@ -244,6 +263,10 @@ double Executor::lookRad(double now_s) const {
 std::vector<Point> Executor::unseenFloor() const {
   constexpr double kReach_m = 0.6;
   return surroundings_.unseenNear(belief_.pose().position(), kReach_m);
+}
+
+bool Executor::isSettled() const {
+  return isLow(*robot_, mode_) || belief_.fixes() >= settings_.settled_fixes;
 }
 
 std::vector<Point> Executor::surprises() const {

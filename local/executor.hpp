@@ -42,8 +42,8 @@ class Executor {
  public:
   Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings = {});
 
-  /// Takes a plan, made in a world: a map and what was seen that it does not have. The robot is in the mode
-  /// that the plan begins in. Replaces the plan before.
+  /// Takes a plan, made in a world: a map and what was seen that it does not have, as of the last
+  /// `tellSurprises`. The robot is in the mode that the plan begins in. Replaces the plan before.
   void follow(Plan plan, std::shared_ptr<const World> world, const World& map);
   /// Lets go of the plan: the robot stands still.
   void stop();
@@ -54,12 +54,16 @@ class Executor {
   /// Where it believes it is: where a new plan has to start.
   [[nodiscard]] const Pose& pose() const { return belief_.pose(); }
   [[nodiscard]] ModeId mode() const { return mode_; }
+  /// Whether it has had enough fixes to know where it is; lying it goes by its strokes.
+  [[nodiscard]] bool isSettled() const;
   [[nodiscard]] std::size_t segment() const { return segment_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
   /// Stalled: why, in words. Empty otherwise.
   [[nodiscard]] std::string_view whyStalled() const { return state_ == State::kStalled ? stalled_by_ : ""; }
   /// Where it saw something the map does not have, near the robot: a point for each cell of the window.
   [[nodiscard]] std::vector<Point> surprises() const;
+  /// Whoever makes the next plan has been told of these: they do not block it, but the guard keeps off them.
+  void surprisesAreKnown() { surroundings_.markKnown(); }
   /// Blocked without progress, though nothing unmapped stands in the plan's way: held by the guard.
   [[nodiscard]] bool isHeld() const { return state_ == State::kBlocked && is_held_; }
   /// Floor near the robot that was not seen: the middles of SeenFloor's cells.
@@ -67,6 +71,8 @@ class Executor {
 
  private:
   void believe(const Senses& senses);
+  void believeStrokes(std::uint64_t cycles);
+  void watchLocalisation(const Senses& senses);
   void finishSegments(const Senses& senses);
   [[nodiscard]] Situation situation(const Senses& senses);
   [[nodiscard]] Command commandFor(const Senses& senses);
@@ -80,6 +86,7 @@ class Executor {
   [[nodiscard]] bool isAligned();
   [[nodiscard]] bool hasRoomUpHere() const;
   [[nodiscard]] std::string_view stalledBy() const;
+  [[nodiscard]] std::string_view crawlStalledBy() const;
   [[nodiscard]] bool mayCrawlOn() const;
   [[nodiscard]] bool isDone(const Segment& segment, const Senses& senses) const;
   void beginSegment();
@@ -99,6 +106,7 @@ class Executor {
   Passage passage_;  // of the low segments that come next or are under way
   State state_ = State::kIdle;
   ModeId mode_ = 0;
+  bool is_told_ = false;  // anything by the robot
   bool has_pose_ = false;
   Command last_;
   double shift_m_ = 0.0;  // of the lane, round something in the way

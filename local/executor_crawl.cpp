@@ -21,7 +21,7 @@ bool Executor::isPassageBlocked() const {
       const Switch* up = robot_->findSwitch(motion.mode, motion.to_mode);
       return up != nullptr && surroundings_.isBoxBlocked(up->body_m, motion.from);
     }
-    if (isLow(*robot_, motion.mode) && surroundings_.isLaneBlocked(motion, 0.0)) return true;
+    if (isLow(*robot_, motion.mode) && surroundings_.isWholeLaneBlocked(motion)) return true;
   }
   return false;
 }
@@ -54,6 +54,15 @@ bool Executor::hasRoomUpHere() const {
 
 /// Empty as long as it can go on.
 std::string_view Executor::stalledBy() const {
+  if (state_ == State::kCrawling) return crawlStalledBy();
+  const bool is_changing = state_ == State::kGoingDown || state_ == State::kGettingUp;
+  const Segment* segment = current();
+  if (!is_changing || segment == nullptr || segment->motion.kind != MotionKind::kSwitch) return "";
+  constexpr double kSpare_s = 10.0;
+  return idle_s_ > 2.0 * segment->duration_s + kSpare_s ? "the gait does not change to the other mode" : "";
+}
+
+std::string_view Executor::crawlStalledBy() const {
   if (is_stroke_) return stroke_s_ > settings_.crawl.stall_s ? "the crawl does not progress" : "";
   if (next() == Next::kUp) return mayCrawlOn() ? "" : "there is no room to get up";
   const Segment* segment = current();

@@ -105,4 +105,13 @@ bool Follow::isDone(const Segment& segment, const Pose& at) const {
          std::abs(lane.turned_rad) < error.tolerance_rad;
 }
 
+bool Follow::isAstray(const Segment& segment, const Pose& at) const {
+  constexpr double kFar_m = 0.25;
+  const Motion& motion = segment.motion;
+  if (motion.kind != MotionKind::kTranslate) return distance(at.position(), motion.from.position()) > kFar_m;
+  const OnLane lane = onLane(motion, at);
+  return std::abs(lane.left_m) > allowance_m_ + kFar_m || lane.along_m < -kFar_m ||
+         lane.along_m > length(motion) + kFar_m;
+}
+
 }  // namespace underway

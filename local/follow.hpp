@@ -38,6 +38,9 @@ class Follow {
   [[nodiscard]] Velocity along(const Segment& segment, const Pose& at, const Scan* scan, double shift_m);
   [[nodiscard]] bool isDone(const Segment& segment, const Pose& at) const;
 
+  /// Whether it is so far from the segment that what the plan says of the way back to it is nothing: it was
+  /// carried elsewhere, or the plan begins elsewhere.
+  [[nodiscard]] bool isAstray(const Segment& segment, const Pose& at) const;
   /// How far from the segment's line GODZILA may lead the turning body [m]; 0 if the plan drives.
   [[nodiscard]] double allowance() const { return allowance_m_; }
   /// Along a translation [m], or turned [rad], so far.

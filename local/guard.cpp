@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/sweep.hpp"
+
 namespace underway {
 namespace {
-
-constexpr double kFastest_mps = 0.2;  // of any robot this is for; a faster one needs a wider view
 
 /// From a body to a point; negative inside the body. What is further than `most_m` is told as that: most
 /// points are, and are known to be before a root is drawn.
@@ -46,8 +46,7 @@ constexpr double kSlack_m = 1e-4;
 Guard::Guard(const GuardSettings& settings, const BodyBox& body, std::size_t most_points)
     : settings_(settings),
       body_(body),
-      near_m_(std::hypot(std::max(-body.x.min, body.x.max), std::max(-body.y.min, body.y.max)) +
-              settings.margin_m + settings.horizon_s * kFastest_mps) {
+      near_m_(reachOf(body) + settings.margin_m + settings.horizon_s * settings.fastest_mps) {
   points_.reserve(most_points);
 }
 
@@ -74,25 +73,35 @@ double Guard::distanceAfter(const Velocity& velocity, double time_s, double most
   return nearest;
 }
 
-Velocity Guard::allowed(const Velocity& wanted) const {
-  if (points_.empty()) return wanted;
+Velocity Guard::allowed(const Velocity& wanted) const { return allowedByAll({this}, wanted); }
+
+bool Guard::allows(const Velocity& velocity) const {
+  if (points_.empty()) return true;
   const double nearest = distanceAfter({}, 0.0, settings_.margin_m + kSlack_m) - kSlack_m;
-  const double needed = std::max(nearest, std::min(settings_.least_m, settings_.margin_m));
+  return !bringsNearer(velocity, std::max(nearest, std::min(settings_.least_m, settings_.margin_m)));
+}
+
+/// At the horizon, and half way there: a corner may swing past a point and away again.
+bool Guard::bringsNearer(const Velocity& velocity, double needed_m) const {
+  const Moved half_way(velocity, 0.5 * settings_.horizon_s);
+  const Moved moved(velocity, settings_.horizon_s);
+  return std::any_of(points_.begin(), points_.end(), [&](Point p) {
+    const double after =
+        std::min(distanceTo(body_, half_way(p), needed_m), distanceTo(body_, moved(p), needed_m));
+    return after < needed_m && after < distanceTo(body_, p, needed_m) - kSlack_m;
+  });
+}
+
+Velocity allowedByAll(std::initializer_list<const Guard*> guards, const Velocity& wanted) {
   const auto scaled = [&](double way, double turn) {
     return Velocity{way * wanted.x_mps, way * wanted.y_mps, turn * wanted.turn_radps};
   };
   for (const Velocity& candidate : {scaled(1.0, 1.0), scaled(0.5, 1.0), scaled(0.5, 0.5), scaled(0.2, 0.2),
                                     scaled(0.0, 1.0), scaled(0.0, 0.3), scaled(0.3, 0.0)})
-    if (!bringsNearer(candidate, needed)) return candidate;
+    if (std::all_of(guards.begin(), guards.end(),
+                    [&](const Guard* guard) { return guard->allows(candidate); }))
+      return candidate;
   return {};
-}
-
-bool Guard::bringsNearer(const Velocity& velocity, double needed_m) const {
-  const Moved moved(velocity, settings_.horizon_s);
-  return std::any_of(points_.begin(), points_.end(), [&](Point p) {
-    const double after = distanceTo(body_, moved(p), needed_m);
-    return after < needed_m && after < distanceTo(body_, p, needed_m) - kSlack_m;
-  });
 }
 
 Velocity Guard::retreat(double speed_mps) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,10 @@
 namespace underway {
 
 struct GuardSettings {
-  double margin_m = 0.04;  ///< kept between body and what was seen [m]
-  double horizon_s = 1.0;  ///< how far ahead a velocity is looked at [s]
-  double least_m = 0.0;    ///< kept from each point for itself, however near others are [m]
+  double margin_m = 0.04;    ///< kept between body and what was seen [m]
+  double horizon_s = 1.0;    ///< how far ahead a velocity is looked at [s]
+  double least_m = 0.0;      ///< kept from each point for itself, however near others are [m]
+  double fastest_mps = 0.2;  ///< of the robot: what is further than it leads to cannot matter [m/s]
 };
 
 /// The last word on a velocity: never one that brings the body nearer to what was seen than a margin. Knows
@@ -31,6 +33,8 @@ class Guard {
   /// it no nearer is allowed, so that it goes on along what it stands beside; but one point that noise has
   /// put close to the body, or into it, does not let it near the others: see `least_m`.
   [[nodiscard]] Velocity allowed(const Velocity& wanted) const;
+  /// Whether a velocity is one that it allows.
+  [[nodiscard]] bool allows(const Velocity& velocity) const;
   /// From the body to the nearest point, after moving at a velocity for a time [m]. Negative inside the body.
   [[nodiscard]] double distanceAfter(const Velocity& velocity, double time_s) const;
   /// Straight away from the nearest point, at a speed [m/s].
@@ -47,5 +51,8 @@ class Guard {
   double near_m_;  // further points cannot matter
   std::vector<Point> points_;
 };
+
+/// As `Guard::allowed`, of the first velocity that every guard allows.
+[[nodiscard]] Velocity allowedByAll(std::initializer_list<const Guard*> guards, const Velocity& wanted);
 
 }  // namespace underway

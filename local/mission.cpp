@@ -16,8 +16,8 @@ constexpr int kMostRefusals = 4;    // of plans, with a fresh look between them
 constexpr int kMostFreshLooks = 3;  // that led to a plan: more is going to and fro between blocked ways
 constexpr int kMostBerths = 6;      // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
-constexpr double kAskAgain_s = 1.0;   // a server that is gone
-constexpr double kMostLost_s = 30.0;  // standing still without localisation
+constexpr double kAskAgain_s = 1.0;     // a server that is gone
+constexpr double kMostUnsure_s = 30.0;  // standing still, not knowing where it is
 
 constexpr const char* kBesideCrawl =
     "each plan found crawls close by something that is not in the map, which the robot cannot see while it "
@@ -41,41 +41,53 @@ Mission::Mission(std::shared_ptr<const World> map, std::shared_ptr<const Robot> 
 
 Tick Mission::tick(const Senses& senses) {
   Tick tick = executor_.tick(senses);
+  watchLocalisation(tick.state, senses.now_s);
   switch (tick.state) {
     case State::kArrived:
       outcome_ = Outcome::kArrived;
       break;
     case State::kFallen:
       outcome_ = Outcome::kNeedsHelp, why_ = "the robot has fallen; get it up, then ask for a new plan";
-      if (!senses.has_fallen) ask(senses);
+      if (senses.has_fallen)
+        asked_.reset();
+      else if (executor_.isSettled())
+        ask(senses);
       break;
     case State::kStalled:
       outcome_ = Outcome::kNeedsHelp;
-      why_ = "the robot lies and cannot go on: " + std::string(executor_.whyStalled()) +
+      why_ = "the robot cannot go on: " + std::string(executor_.whyStalled()) +
              "; free it, then ask for a new plan";
-      break;
-    case State::kLost:
-      if (lost_s_ == 0.0) lost_s_ = senses.now_s;
-      why_ = "localisation is silent; standing still until it is back";
-      if (senses.now_s - lost_s_ > kMostLost_s) outcome_ = Outcome::kNeedsHelp;
       break;
     case State::kIdle:
     case State::kBlocked:
       ask(senses);
       break;
     default:
-      lost_s_ = 0.0;
       break;
   }
   return tick;
 }
 
+/// Standing still until it knows where it is, but not for ever.
+void Mission::watchLocalisation(State state, double now_s) {
+  if (state != State::kLost && state != State::kSettling) {
+    if (unsure_s_) why_.clear();
+    unsure_s_.reset();
+    return;
+  }
+  if (!unsure_s_) unsure_s_ = now_s;
+  why_ = state == State::kLost ? "localisation is silent; standing still until it is back"
+                               : "localisation comes too seldom to know where the robot is; standing still";
+  if (now_s - *unsure_s_ > kMostUnsure_s) outcome_ = Outcome::kNeedsHelp;
+}
+
 void Mission::ask(const Senses& senses) {
-  const bool is_first = plans_ == 0;
   if (senses.now_s < again_s_) return;
-  if (!is_first) world_ = worldWithSurprises(refusals_ == 0 ? *world_ : *map_);
-  auto plan = planFromHere();
+  if (!asked_) asked_ = question();
+  auto plan = answer();
   if (!plan) return refused(plan.error(), senses.now_s);
+  world_ = asked_->known;
+  asked_.reset();
   ++plans_;
   if (refusals_ > 0) ++fresh_looks_;
   refusals_ = 0;
@@ -98,31 +110,41 @@ void Mission::countInPlace() {
   why_ = in_place_ >= kMost ? "none of the last plans could be followed away from here" : "";
 }
 
-Expected<Plan> Mission::planFromHere() {
-  const auto world = worldToPlanIn();
-  Request request = request_;
-  if (plans_ > 0) {
-    request.start_mode = executor_.mode();
-    const Checker checker(world, robot_);
-    request.start = isLow(*robot_, request.start_mode)
-                        ? executor_.pose()
-                        : startFrom(checker, request.start_mode, executor_.pose());
-  }
-  auto plan = source_(request, world);
+Mission::Question Mission::question() {
+  Question question{request_, world_, nullptr};
+  if (plans_ > 0 || refusals_ > 0) question.known = worldWithSurprises(refusals_ == 0 ? *world_ : *map_);
+  executor_.surprisesAreKnown();
+  question.world = worldToPlanIn(question.known);
+  if (plans_ == 0) return question;
+  Request& request = question.request;
+  request.start_mode = executor_.mode();
+  const Checker checker(question.world, robot_);
+  request.start = isLow(*robot_, request.start_mode)
+                      ? executor_.pose()
+                      : startFrom(checker, request.start_mode, executor_.pose());
+  return question;
+}
+
+/// Busy: the answer is not there yet, or another question is better.
+Expected<Plan> Mission::answer() {
+  auto plan = source_(asked_->request, asked_->world);
+  if (!plan && plan.error().code == ErrorCode::kBusy) return plan;
+  const Question asked = *asked_;
   const bool is_none =
       !plan && (plan.error().code == ErrorCode::kNoPathExists || plan.error().code == ErrorCode::kTimeout);
   if (is_none && executor_.isHeld() && !may_tread_unseen_) {
     may_tread_unseen_ = true;
+    asked_.reset();
     return fail(ErrorCode::kBusy, "waiting for a plan that may lead over floor that was not seen");
   }
   if (is_none && !berths_.empty()) return fail(ErrorCode::kNoPathExists, kBesideCrawl);
-  return clearOfSurprises(std::move(plan));
+  return clearOfSurprises(std::move(plan), asked);
 }
 
 /// With a berth round what the last plan crawled beside. Who was held may have come to floor that was not
 /// seen: then plans keep off that too, if there are any.
-std::shared_ptr<const World> Mission::worldToPlanIn() const {
-  auto world = berths_.empty() ? world_ : std::make_shared<const World>(withBerth(*world_, berths_));
+std::shared_ptr<const World> Mission::worldToPlanIn(const std::shared_ptr<const World>& known) const {
+  auto world = berths_.empty() ? known : std::make_shared<const World>(withBerth(*known, berths_));
   if (!executor_.isHeld() || may_tread_unseen_ || isLow(*robot_, executor_.mode())) return world;
   return std::make_shared<const World>(
       withUnseenFloor(*world, executor_.unseenFloor(), *robot_, executor_.mode(), executor_.pose()));
@@ -130,18 +152,20 @@ std::shared_ptr<const World> Mission::worldToPlanIn() const {
 
 /// Who cannot see while it lies asks for another plan, that keeps further from what the last one crawls
 /// beside.
-Expected<Plan> Mission::clearOfSurprises(Expected<Plan> plan) {
+Expected<Plan> Mission::clearOfSurprises(Expected<Plan> plan, const Question& asked) {
   if (!plan || robot_->senses.head) return plan;
-  const auto beside = surprisesBesideCrawl(*plan, world_, robot_);
+  const auto beside = surprisesBesideCrawl(*plan, asked.known, robot_);
   if (beside.empty()) return plan;
   if (berths_given_++ >= kMostBerths) return fail(ErrorCode::kNoPathExists, kBesideCrawl);
   berths_.insert(berths_.end(), beside.begin(), beside.end());
+  asked_.reset();
   return fail(ErrorCode::kBusy, "waiting for a plan that crawls further from what is not in the map");
 }
 
 void Mission::refused(const Error& error, double now_s) {
   why_ = error.message;
   if (error.code == ErrorCode::kBusy) return;  // asked again with the next tick, standing still
+  asked_.reset();
   if (error.code == ErrorCode::kNoServer) {
     again_s_ = now_s + kAskAgain_s;  // it stands still meanwhile
     return;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,18 @@ class Mission {
   [[nodiscard]] int plans() const { return plans_; }
 
  private:
+  /// What a plan is asked for: until the answer is there, the same.
+  struct Question {
+    Request request;
+    std::shared_ptr<const World> known;  // the map, and what was seen
+    std::shared_ptr<const World> world;  // to plan in: with more to keep off
+  };
   void ask(const Senses& senses);
-  [[nodiscard]] Expected<Plan> planFromHere();
-  [[nodiscard]] std::shared_ptr<const World> worldToPlanIn() const;
-  [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan);
+  void watchLocalisation(State state, double now_s);
+  [[nodiscard]] Question question();
+  [[nodiscard]] Expected<Plan> answer();
+  [[nodiscard]] std::shared_ptr<const World> worldToPlanIn(const std::shared_ptr<const World>& known) const;
+  [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan, const Question& asked);
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
   void countInPlace();
   void refused(const Error& error, double now_s);
@@ -63,7 +72,8 @@ class Mission {
   int berths_given_ = 0;             // since the last refusal
   bool may_tread_unseen_ = false;    // no plan keeps off the floor that was not seen
   double again_s_ = 0.0;             // when to ask again
-  double lost_s_ = 0.0;
+  std::optional<Question> asked_;    // and not answered yet
+  std::optional<double> unsure_s_;   // since when it does not know where it is
 };
 
 }  // namespace underway

@@ -52,21 +52,27 @@ void forEachBeam(const Beams& beams, double turned_rad, const Visit& visit) {
 }
 
 /// What a planar range sensor saw at one moment: for each beam the distance from the body frame's origin to
-/// what is nearest along it [m]. kNothing where the beam met nothing in its range.
+/// what is nearest along it [m]. kNothing where the beam met nothing in its range; kNotLooked, which is as
+/// far as any, where the sensor does not look or told nothing, so that nobody knows what is there.
 struct Scan {
   static constexpr float kNothing = std::numeric_limits<float>::infinity();
+  static constexpr float kNotLooked = std::numeric_limits<float>::max();
 
   double stamp_s = 0.0;  ///< when it was taken [s]
   Beams beams;
   std::vector<float> ranges_m;  ///< as many as beams.count
 
-  /// The least range of the beam nearest to a bearing and of its two neighbours [m]; 0 where they do not
-  /// look.
+  /// The least range of the beam nearest to a bearing and of its two neighbours [m]; 0 where one of them does
+  /// not look.
   [[nodiscard]] float leastNear(double bearing_rad) const {
     const double beam = std::round((bearing_rad - beams.first_rad) / beams.step_rad);
     if (!(beam >= 1.0 && beam + 1.0 < static_cast<double>(beams.count))) return 0.0F;
     const auto i = static_cast<std::size_t>(beam);
-    return std::min({ranges_m[i - 1], ranges_m[i], ranges_m[i + 1]});
+    const float before = ranges_m[i - 1];
+    const float at = ranges_m[i];
+    const float after = ranges_m[i + 1];
+    if (before == kNotLooked || at == kNotLooked || after == kNotLooked) return 0.0F;
+    return std::min({before, at, after});
   }
 };
 

@@ -50,12 +50,14 @@ State transition(State now, const Situation& is) {
       if (is.next != Next::kDown) return stateFor(is.next);
       return is.is_aligned ? State::kGoingDown : now;
     case State::kGoingDown:
+      if (is.is_stalled) return State::kStalled;
       return is.is_switching || is.next == Next::kDown ? now : stateFor(is.next);
     case State::kCrawling:
       if (is.next == Next::kUp && is.has_room_up) return State::kGettingUp;
       if (is.is_stalled) return State::kStalled;
       return is.next == Next::kMove ? State::kSettling : stateFor(is.next);
     case State::kGettingUp:
+      if (is.is_stalled) return State::kStalled;
       return is.is_switching || is.next == Next::kUp ? now : State::kSettling;
     case State::kLost:
       return is.is_lost ? now : State::kSettling;

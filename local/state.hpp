@@ -16,7 +16,7 @@ enum class State : std::uint8_t {
   kGettingUp,  ///< changes to a higher mode
   kArrived,    ///< stands at the goal
   kBlocked,    ///< stands still; wants a new plan, from here, in a world with what it saw
-  kLost,       ///< stands still; localisation is silent or the plan is too far away
+  kLost,       ///< stands still; localisation is silent
   kFallen,     ///< sends no motion; wants help, then a new plan
   kStalled,    ///< lies still; the crawl does not progress, or there is no room to get up; wants help
 };
@@ -29,13 +29,15 @@ enum class Next : std::uint8_t { kNothing, kMove, kDown, kCrawl, kUp };
 struct Situation {
   bool has_plan = false;
   bool has_fallen = false;
-  bool is_settled = false;    ///< enough fixes of localisation in a row
-  bool is_lost = false;       ///< standing, and localisation is silent for too long
-  bool is_blocked = false;    ///< something unmapped in the way and no room round it, or no progress
+  bool is_settled = false;  ///< enough fixes of localisation in a row
+  bool is_lost = false;     ///< standing, and localisation is silent for too long
+  bool is_blocked =
+      false;  ///< something unmapped in the way and no room round it, no progress, or far from the plan
   bool is_switching = false;  ///< the gait is between two modes
   bool is_aligned = false;    ///< within the next passage's slack
   bool has_room_up = false;   ///< the standing body is free here, by the map
-  bool is_stalled = false;    ///< no crawl cycle ends, or nothing is left to crawl and no room up
+  bool is_stalled =
+      false;  ///< no crawl cycle or change of mode ends, or nothing is left to crawl and no room
   Next next = Next::kNothing;
 };
 

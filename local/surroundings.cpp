@@ -32,6 +32,18 @@ Tolerance toleranceOf(const SurroundingsSettings& settings) {
 /// From each point of that for itself, however near others are. Outlines are off by more where noise is.
 double leastFromMapped(const SurroundingsSettings& settings) { return 0.015 - settings.sensor_sigma_m; }
 
+/// Of the standing body, in any direction [m/s].
+double fastestOf(const Robot& robot) {
+  const SpeedLimits limits = standingLimits(robot);
+  return std::hypot(std::max(limits.forward_mps, limits.backward_mps),
+                    std::max(limits.left_mps, limits.right_mps));
+}
+
+Guard guardOf(const Robot& robot, GuardSettings settings) {
+  settings.fastest_mps = fastestOf(robot);
+  return {settings, robot.modes.front().body_m, kMostPoints};
+}
+
 bool isAlongX(Sense sense) { return sense == Sense::kForward || sense == Sense::kBackward; }
 
 /// The shifts of a lane that are tried, one after the other: none, 5 cm to the left, to the right, 10 cm.
@@ -53,12 +65,11 @@ struct Shifts {
 Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot)
     : settings_(settings),
       robot_(std::move(robot)),
-      against_unmapped_({kMargin_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
-      against_remembered_({kRemembered_m, 1.0, kRememberedLeast_m}, robot_->modes.front().body_m,
-                          kMostPoints),
-      against_unseen_({kUnseen_m, 1.0}, robot_->modes.front().body_m, kMostPoints),
-      against_mapped_({kMapped_m, 0.5, leastFromMapped(settings)}, robot_->modes.front().body_m,
-                      kMostPoints) {}
+      against_unmapped_(guardOf(*robot_, {kMargin_m, 1.0})),
+      against_remembered_(guardOf(*robot_, {kRemembered_m, 1.0, kRememberedLeast_m})),
+      against_unseen_(guardOf(*robot_, {kUnseen_m, 1.0})),
+      against_mapped_(guardOf(*robot_, {kMapped_m, 0.5, leastFromMapped(settings)})),
+      reach_m_(reachOf(robot_->modes.front().body_m) + kRemembered_m + fastestOf(*robot_)) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.waist) {
@@ -72,7 +83,6 @@ void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.depth)
     depth_map_ = MapView(map, {0.02, robot_->modes.front().body_m.z.max}, plan, toleranceOf(settings_),
                          settings_.round_m);
-  window_.markKnown();
 }
 
 void Surroundings::see(const Senses& senses, const Pose& from) {
@@ -85,8 +95,11 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
   floor_.slideTo(from.position());
   ++turn_;
   const bool is_lying = isLow(*robot_, senses.mode);
-  if (senses.scan != nullptr) look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
-  if (senses.depth != nullptr) look(*senses.depth, depth_map_, from);
+  const bool is_steady = !senses.is_switching && !senses.has_fallen;  // else its planes are anywhere
+  const bool has_plane = is_lying ? robot_->senses.head.has_value() : robot_->senses.waist.has_value();
+  if (is_steady && has_plane && senses.scan != nullptr)
+    look(*senses.scan, is_lying ? head_map_ : waist_map_, from);
+  if (is_steady && senses.depth != nullptr) look(*senses.depth, depth_map_, from);
   standOn(robot_->modes[senses.mode].body_m, from);
   addWhatWasSeen(from);
   if (!is_lying) addUnseenFloor(from);
@@ -94,12 +107,11 @@ void Surroundings::see(const Senses& senses, const Pose& from) {
 
 /// What was seen before: no beam may look there now.
 void Surroundings::addWhatWasSeen(const Pose& from) {
-  constexpr double kReach_m = 0.45;
   const SeenFrom seen(from);
   const double sigma_m = settings_.sensor_sigma_m;
-  window_.visitOutlines(from.position(), kReach_m, sigma_m,
+  window_.visitOutlines(from.position(), reach_m_, sigma_m,
                         [&](Point at) { against_remembered_.add(seen(at)); });
-  mapped_.visitOutlines(from.position(), kReach_m, sigma_m, [&](Point at) { against_mapped_.add(seen(at)); });
+  mapped_.visitOutlines(from.position(), reach_m_, sigma_m, [&](Point at) { against_mapped_.add(seen(at)); });
 }
 
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
@@ -128,28 +140,33 @@ void Surroundings::takeBack(const Scan& scan, const Pose& from) {
   constexpr std::size_t kShare = 16;
   const std::size_t first = turn_ % kShare;
   forEachBeam(scan.beams.every(kShare, first), from.yaw, [&](std::size_t i, Point direction) {
-    const double reach = std::min<double>(scan.ranges_m[first + kShare * i], settings_.believed_m);
+    const float range = scan.ranges_m[first + kShare * i];
+    if (range == Scan::kNotLooked) return;
+    const double reach = std::min<double>(range, settings_.believed_m);
     floor_.pass(from.position(), {from.x + reach * direction.x, from.y + reach * direction.y});
   });
 }
 
-/// Calls `visit(left_m)` for each cell that no plan knew of beside the next stretch of a translation: how far
-/// to the left of its line. What is further off than `reach_m` may be left out.
+/// Calls `visit(left_m)` for each cell that no plan knew of beside a stretch of a translation, and beside the
+/// body at its end: how far to the left of its line. What is further off than `reach_m` may be left out.
 template <class Visit>
-void Surroundings::visitBeside(const Motion& translation, double along_m, double reach_m,
+void Surroundings::visitBeside(const Motion& translation, Range along, double reach_m,
                                const Visit& visit) const {
   const BodyBox& body = robot_->modes[translation.mode].body_m;
-  const Range along = isAlongX(translation.sense) ? body.x : body.y;
-  const double ahead = std::max(-along.min, along.max) + settings_.lane_margin_m;
-  const double last = std::min(along_m + settings_.ahead_m, length(translation)) + ahead;
-  const Point middle = pointAlong(translation, 0.5 * (along_m + last));
+  const Range size = isAlongX(translation.sense) ? body.x : body.y;
+  const double last = along.max + std::max(-size.min, size.max) + settings_.lane_margin_m;
+  const Point middle = pointAlong(translation, 0.5 * (along.min + last));
   const SeenFrom seen(
       {translation.from.x, translation.from.y, translation.from.yaw + angleOf(translation.sense)});
-  window_.visitOccupied(middle, 0.5 * (last - along_m) + reach_m, [&](Point cell, bool is_known) {
+  window_.visitOccupied(middle, 0.5 * (last - along.min) + reach_m, [&](Point cell, bool is_known) {
     if (is_known) return;
     const Point at = seen(cell);
-    if (at.x > along_m && at.x < last) visit(at.y);
+    if (at.x > along.min && at.x < last) visit(at.y);
   });
+}
+
+Range Surroundings::nextStretch(const Motion& translation, double along_m) const {
+  return {along_m, std::min(along_m + settings_.ahead_m, length(translation))};
 }
 
 double Surroundings::halfLane(const Motion& translation) const {
@@ -158,11 +175,19 @@ double Surroundings::halfLane(const Motion& translation) const {
   return std::max(-across.min, across.max) + settings_.lane_margin_m;
 }
 
-bool Surroundings::isLaneBlocked(const Motion& translation, double along_m) const {
+bool Surroundings::isBlockedAlong(const Motion& translation, Range along) const {
   const double half = halfLane(translation);
   bool is_blocked = false;
-  visitBeside(translation, along_m, half, [&](double left_m) { is_blocked |= std::abs(left_m) < half; });
+  visitBeside(translation, along, half, [&](double left_m) { is_blocked |= std::abs(left_m) < half; });
   return is_blocked;
+}
+
+bool Surroundings::isLaneBlocked(const Motion& translation, double along_m) const {
+  return isBlockedAlong(translation, nextStretch(translation, along_m));
+}
+
+bool Surroundings::isWholeLaneBlocked(const Motion& translation) const {
+  return isBlockedAlong(translation, {0.0, length(translation)});
 }
 
 bool Surroundings::isTurnBlocked(const Pose& at) const {
@@ -192,7 +217,8 @@ std::optional<double> Surroundings::shiftAround(const Motion& translation, doubl
   const double half = halfLane(translation);
   const std::size_t count = Shifts::countTo(most_m);
   std::bitset<Shifts::kMost> blocked;
-  visitBeside(translation, along_m, half + std::max(most_m, 0.0), [&](double left_m) {
+  const Range along = nextStretch(translation, along_m);
+  visitBeside(translation, along, half + std::max(most_m, 0.0), [&](double left_m) {
     for (std::size_t i = 0; i < count; ++i)
       if (std::abs(left_m - Shifts::shift(i)) < half) blocked.set(i);
   });
@@ -202,8 +228,7 @@ std::optional<double> Surroundings::shiftAround(const Motion& translation, doubl
 }
 
 Velocity Surroundings::guarded(const Velocity& wanted) const {
-  const Velocity off_things = against_remembered_.allowed(against_unmapped_.allowed(wanted));
-  return against_mapped_.allowed(against_unseen_.allowed(off_things));
+  return allowedByAll({&against_unmapped_, &against_remembered_, &against_unseen_, &against_mapped_}, wanted);
 }
 
 std::vector<Point> Surroundings::surprisesNear(Point at, double reach_m) const {

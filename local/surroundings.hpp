@@ -31,14 +31,17 @@ class Surroundings {
 
   Surroundings(const SurroundingsSettings& settings, std::shared_ptr<const Robot> robot);
 
-  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept, and known
-  /// to whoever made the plan: it blocks nothing from now on, but the guard still keeps off it.
+  /// A new plan: what the map has round it is expected to be seen. What was seen lately is kept.
   void expect(const World& map, const Plan& plan);
+  /// Whoever plans knows what has been seen: it blocks nothing from now on, but the guard still keeps off it.
+  void markKnown() { window_.markKnown(); }
   /// What the senses tell, seen from a believed pose.
   void see(const Senses& senses, const Pose& from);
 
-  /// Whether something unmapped stands in the lane of a translation, from so far along it.
+  /// Whether something unmapped stands in the lane of a translation's next stretch, from so far along it.
   [[nodiscard]] bool isLaneBlocked(const Motion& translation, double along_m) const;
+  /// The same of all of it.
+  [[nodiscard]] bool isWholeLaneBlocked(const Motion& translation) const;
   /// Whether something unmapped stands where the body turns about a point.
   [[nodiscard]] bool isTurnBlocked(const Pose& at) const;
   /// Whether something unmapped stands in a box round a pose: a switch's.
@@ -72,7 +75,10 @@ class Surroundings {
   void look(const Scan& scan, const MapView& map, const Pose& from);
   void takeBack(const Scan& scan, const Pose& from);
   template <class Visit>
-  void visitBeside(const Motion& translation, double along_m, double reach_m, const Visit& visit) const;
+  void visitBeside(const Motion& translation, Range along, double reach_m, const Visit& visit) const;
+  /// Of a translation, from so far along it: as far as it has to be free.
+  [[nodiscard]] Range nextStretch(const Motion& translation, double along_m) const;
+  [[nodiscard]] bool isBlockedAlong(const Motion& translation, Range along) const;
   /// To either side of a translation's line.
   [[nodiscard]] double halfLane(const Motion& translation) const;
 
@@ -88,6 +94,7 @@ class Surroundings {
   Guard against_remembered_;
   Guard against_unseen_;
   Guard against_mapped_;
+  double reach_m_;        // as far as what lies on the floor can matter within a guard's horizon
   int stood_ = 0;         // ticks where it stood first
   std::size_t turn_ = 0;  // which of the beams are looked at for what is free
 };

@@ -34,9 +34,8 @@ void Surroundings::standFirstAt(double reach_m, Point at) {
 /// What the map has needs no look: plans keep off it.
 void Surroundings::addUnseenFloor(const Pose& from) {
   if (!robot_->senses.waist) return;
-  constexpr double kReach_m = 0.35;  // of the body's corners and what a second leads to
   const SeenFrom seen(from);
-  floor_.visitUnseen(round(from.position(), kReach_m), [&](Point cell) {
+  floor_.visitUnseen(round(from.position(), reach_m_), [&](Point cell) {
     if (!waist_map_.isExpected(cell, 0.0)) against_unseen_.add(seen(cell));
   });
 }

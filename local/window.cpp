@@ -49,11 +49,14 @@ void Window::hit(Point at) {
 
 /// By the principal axes of a symmetric matrix of two rows; half an angle's sine and cosine without the
 /// angle.
-Window::Extents Window::extentsOf(const Spread& spread, double sigma_m) {
+Window::Extents Window::extentsOf(const Spread& spread, Point view, double sigma_m) {
   constexpr double kEven = 3.0;  // half an even stretch, squared, over its variance
-  const double middle = 0.5 * (static_cast<double>(spread.xx_m2) + spread.yy_m2) - sigma_m * sigma_m;
-  const double half = 0.5 * (static_cast<double>(spread.xx_m2) - spread.yy_m2);
-  const double cross = spread.xy_m2;
+  const double noise = sigma_m * sigma_m;
+  const double xx = spread.xx_m2 - noise * view.x * view.x;
+  const double yy = spread.yy_m2 - noise * view.y * view.y;
+  const double middle = 0.5 * (xx + yy);
+  const double half = 0.5 * (xx - yy);
+  const double cross = spread.xy_m2 - noise * view.x * view.y;
   const double off = std::sqrt(half * half + cross * cross);
   const double cos_twice = off > 0.0 ? half / off : 1.0;
   const Point along{std::sqrt(std::max(0.5 + 0.5 * cos_twice, 0.0)),

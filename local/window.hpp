@@ -44,8 +44,9 @@ class Window {
   template <class Visit>
   void visitOccupied(Point about, double reach_m, const Visit& visit) const;
   /// Calls `visit(at)` for points that outline what was seen in each of those cells, kOutline_m apart at
-  /// most: as far as it spreads from its mean along both of its principal axes by more than noise. Of a face
-  /// they lie along it, to its end; of a corner one is at its tip. `sigma_m`: of what sees.
+  /// most: as far as it spreads from its mean along both of its principal axes. Of a face they lie along it,
+  /// to its end; of a corner one is at its tip. `sigma_m` is the noise of what sees, from near `about`, along
+  /// its view: so much of the spread is none.
   template <class Visit>
   void visitOutlines(Point about, double reach_m, double sigma_m, const Visit& visit) const;
   static constexpr double kOutline_m = 0.0125;
@@ -68,7 +69,8 @@ class Window {
     Point longer;
     Point shorter;
   };
-  [[nodiscard]] static Extents extentsOf(const Spread& spread, double sigma_m);
+  /// `view`: a unit vector.
+  [[nodiscard]] static Extents extentsOf(const Spread& spread, Point view, double sigma_m);
   /// Of eight cells.
   [[nodiscard]] static bool isAnyHit(std::uint64_t eight) { return eight != 0; }
   [[nodiscard]] Point meanOf(std::size_t i, Grid::Place place) const {
@@ -103,7 +105,9 @@ void Window::visitOccupied(Point about, double reach_m, const Visit& visit) cons
 template <class Visit>
 void Window::visitOutlines(Point about, double reach_m, double sigma_m, const Visit& visit) const {
   visitCells(about, reach_m, [&](std::size_t i, Point mean) {
-    const auto [length_m, longer, shorter] = extentsOf(spreads_[i], sigma_m);
+    const double range_m = std::max(distance(mean, about), 1e-6);
+    const Point view{(mean.x - about.x) / range_m, (mean.y - about.y) / range_m};
+    const auto [length_m, longer, shorter] = extentsOf(spreads_[i], view, sigma_m);
     const auto steps = static_cast<int>(2.0 * length_m / kOutline_m) + 1;
     for (int k = 0; k <= steps; ++k) {
       const double share = 2.0 * k / steps - 1.0;

@@ -20,7 +20,8 @@ void shorten(Scan& scan, double middle_rad, double half_rad, double range_m) {
   const auto count = static_cast<double>(beams.count);
   for (double i = std::max(0.0, std::ceil(first - kRound)); i <= last + kRound && i < count; ++i) {
     float& range = scan.ranges_m[static_cast<std::size_t>(i)];
-    range = std::min(range, static_cast<float>(range_m));
+    range = range == Scan::kNotLooked ? static_cast<float>(range_m)
+                                      : std::min(range, static_cast<float>(range_m));
   }
 }
 
@@ -31,15 +32,22 @@ Scan asStandardScan(const Beams& beams, std::span<const float> ranges_m, double 
   Scan scan{stamp_s, Beams{}, {}};
   if (beams == scan.beams && mount.at == Pose{} && mount.nearest_m <= 0.0) {
     scan.ranges_m.assign(ranges_m.begin(), ranges_m.end());
+    for (float& range : scan.ranges_m)
+      if (!(range > 0.0F)) range = Scan::kNotLooked;
     return scan;
   }
-  scan.ranges_m.assign(scan.beams.count, Scan::kNothing);
+  scan.ranges_m.assign(scan.beams.count, Scan::kNotLooked);
   constexpr double kWidest_rad = 0.2;
   const double share = mount.at.position() == Point{} ? 0.5 : 0.7;
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     const double range = ranges_m[i];
-    if (!std::isfinite(range) || range < mount.nearest_m || range <= 0.0) continue;
+    if (!(range > 0.0 && range >= mount.nearest_m)) continue;
     const double bearing = beams.bearing(i);
+    if (std::isinf(range)) {
+      const double half = share * std::clamp(std::abs(beams.step_rad), scan.beams.step_rad, kWidest_rad);
+      shorten(scan, normalizedAngle(bearing + mount.at.yaw), half, Scan::kNothing);
+      continue;
+    }
     const Point end = transform(mount.at, {range * std::cos(bearing), range * std::sin(bearing)});
     const double seen_from_body = std::hypot(end.x, end.y);
     // As wide as the beams lie apart, so that coarse ones leave no gaps, and wider where another place sees

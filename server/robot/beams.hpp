@@ -14,8 +14,9 @@ struct LidarMount {
 };
 
 /// What a lidar saw with whatever beams it has, as the beams that the local layer is made for (Beams{}), from
-/// the body frame's origin. A beam that measured nothing (NaN, infinite, too near) tells nothing; where the
-/// lidar does not look, nothing is told either, and counts as free. `ranges_m` has as many as beams.count.
+/// the body frame's origin. An infinite beam met nothing in its range. A beam that measured nothing
+/// (NaN, minus infinity, zero, too near) tells nothing, nor do those where the lidar does not look:
+/// kNotLooked. `ranges_m` has as many as beams.count.
 [[nodiscard]] Scan asStandardScan(const Beams& beams, std::span<const float> ranges_m, double stamp_s,
                                   const LidarMount& mount = {});
 

@@ -101,7 +101,7 @@ Expected<Scan> fromRos(const LaserScan& message, const Pose& lidar) {
   const std::size_t count = message.ranges._length;
   std::vector<float> ranges(message.ranges._buffer, message.ranges._buffer + count);
   for (float& range : ranges)
-    if (!(range <= message.range_max)) range = Scan::kNothing;  // also NaN
+    if (range > message.range_max) range = Scan::kNothing;
   // Between the beams the last counts as well as the first: an increment told in single precision adds up.
   const double last = count > 1 ? (static_cast<double>(message.angle_max) - message.angle_min) /
                                       static_cast<double>(count - 1)

@@ -8,14 +8,6 @@
 namespace underway {
 namespace {
 
-/// Whether a plan for one request will do for the other: the robot stands, but its belief moves a little.
-bool isSame(const Request& a, const Request& b) {
-  constexpr double kSame_m = 0.03;
-  constexpr double kSame_rad = 0.05;
-  return distance(a.start.position(), b.start.position()) < kSame_m &&
-         std::abs(normalizedAngle(a.start.yaw - b.start.yaw)) < kSame_rad && a.start_mode == b.start_mode;
-}
-
 class Asking {
  public:
   explicit Asking(PlanSource source) : source_(std::move(source)) {}
@@ -23,10 +15,12 @@ class Asking {
   Expected<Plan> operator()(const Request& request, const std::shared_ptr<const World>& world) {
     if (answer_.valid() && answer_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
       Expected<Plan> answer = answer_.get();
-      if (isSame(request, asked_)) return answer;
+      const bool is_same_start = request.start == asked_.start && request.start_mode == asked_.start_mode;
+      if (is_same_start && world == asked_in_) return answer;  // else it is of another world or place
     }
     if (!answer_.valid()) {
       asked_ = request;
+      asked_in_ = world;
       answer_ = std::async(std::launch::async, [this, request, world] { return source_(request, world); });
     }
     return fail(ErrorCode::kBusy, "waiting for the server's plan");
@@ -35,6 +29,7 @@ class Asking {
  private:
   PlanSource source_;
   Request asked_;
+  std::shared_ptr<const World> asked_in_;
   std::future<Expected<Plan>> answer_;  // last: waits for the thread that uses the rest
 };
 

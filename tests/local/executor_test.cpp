@@ -111,6 +111,102 @@ TEST_F(Executing3, CountsCyclesByTheirProgressAndNotByTime) {
   EXPECT_FALSE(body_.truth().is_disputed);
 }
 
+TEST_F(Executing3, BelievesNothingOfStrokesThatWereCrawledBefore) {
+  for (int k = 0; k < 30; ++k) {
+    Senses senses = body_.sense();
+    senses.cycles += 31;
+    body_.step(dut_.tick(senses).command);
+    ASSERT_LT(distance(dut_.pose().position(), body_.truth().pose.position()), 0.05) << "tick " << k;
+  }
+}
+
+TEST_F(Executing3, BelievesNothingOfACountThatBeginsAnew) {
+  runUntil(State::kCrawling, 5000);
+  for (int k = 0; k < 60; ++k) body_.step(dut_.tick(body_.sense()).command);
+  const Point before = dut_.pose().position();
+  Senses senses = body_.sense();
+  senses.cycles = 0;
+  (void)dut_.tick(senses);
+  EXPECT_LT(distance(dut_.pose().position(), before), 0.1);
+}
+
+TEST_F(Executing3, WantsAnotherPlanWhereItWasCarriedElsewhere) {
+  runUntil(State::kWalking, 100);
+  body_.loseItself(true);
+  EXPECT_EQ(runUntil(State::kLost, 30), State::kLost);
+  const Pose elsewhere{1.2, 1.0, 0.5};
+  sim::SimulatedRobot carried(world_, test::nao(), elsewhere, 0, 12);
+  State state = State::kLost;
+  for (int k = 0; k < 100 && state != State::kBlocked; ++k) {
+    const Tick tick = dut_.tick(carried.sense());
+    state = tick.state;
+    carried.step(tick.command);
+  }
+  EXPECT_EQ(state, State::kBlocked);
+  EXPECT_FALSE(dut_.isHeld());
+  EXPECT_LT(distance(carried.truth().pose.position(), elsewhere.position()), 0.05);
+  EXPECT_LT(distance(dut_.pose().position(), elsewhere.position()), 0.03);
+}
+
+TEST_F(Executing3, GoesByLocalisationThatMissesEverySecondFix) {
+  State state = State::kIdle;
+  for (int k = 0; k < 5000 && state != State::kArrived; ++k) {
+    Senses senses = body_.sense();
+    if (k % 2 == 1) senses.pose.reset();
+    const Tick tick = dut_.tick(senses);
+    state = tick.state;
+    body_.step(tick.command);
+  }
+  EXPECT_EQ(state, State::kArrived);
+  EXPECT_FALSE(body_.truth().has_collided);
+}
+
+TEST_F(Executing3, TellsAChangeOfModeThatDoesNotCome) {
+  EXPECT_EQ(runUntil(State::kGoingDown, 5000), State::kGoingDown);
+  State state = State::kGoingDown;
+  for (int k = 0; k < 900 && state == State::kGoingDown; ++k) {
+    Senses senses = body_.sense();
+    senses.mode = 0;
+    senses.is_switching = false;
+    state = dut_.tick(senses).state;
+  }
+  EXPECT_EQ(state, State::kStalled);
+  EXPECT_NE(dut_.whyStalled().find("does not change"), std::string_view::npos);
+}
+
+TEST_F(Executing3, CrawlsOnByANewPlanAfterAStall) {
+  runUntil(State::kCrawling, 5000);
+  for (int k = 0; k < 200; ++k) body_.step(dut_.tick(body_.sense()).command);  // to under the table
+  body_.stall(true);
+  EXPECT_EQ(runUntil(State::kStalled, 400), State::kStalled);
+  body_.stall(false);
+  Request request = test::requestFor(dut_.pose(), kGoal);
+  request.start_mode = dut_.mode();
+  const auto plan = Planner(world_, test::nao()).plan(request, test::soon());
+  ASSERT_TRUE(plan);
+  dut_.follow(*plan, world_, *world_);
+  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived) << dut_.whyStalled();
+  EXPECT_FALSE(body_.truth().has_collided);
+}
+
+/// What it sees while it lies does not lead its belief along: that is told of a stroke when it has ended.
+TEST(ExecutingWithHead, KnowsHowFarItHasCrawled) {
+  auto seeing = *test::nao();
+  seeing.senses.head = LidarSense{0.15};
+  const auto robot = std::make_shared<const Robot>(seeing);
+  const auto world = test::ourWorld("scenario3");
+  const Pose start{0.6, 2.0, 0.0};
+  const auto plan = Planner(world, robot).plan(test::requestFor(start, {5.4, 2.0, 0.0}), test::soon());
+  ASSERT_TRUE(plan);
+  sim::SimulatedRobot body(world, robot, start, 0, 11);
+  Executor dut(robot);
+  dut.follow(*plan, world, *world);
+  for (int k = 0; k < 5000 && dut.state() != State::kGettingUp; ++k)
+    body.step(dut.tick(body.sense()).command);
+  ASSERT_EQ(dut.state(), State::kGettingUp);
+  EXPECT_LT(distance(dut.pose().position(), body.truth().pose.position()), 0.06);
+}
+
 TEST_F(Executing3, StandsStillWithoutAPlan) {
   runUntil(State::kWalking, 100);
   dut_.stop();

@@ -111,6 +111,43 @@ TEST(Mission, DoesNotGoToAndFroForEverBetweenTwoBlockedWays) {
   EXPECT_FALSE(body.truth().has_collided);
 }
 
+TEST(Mission, AsksTheSameUntilTheAnswerIsThere) {
+  const auto map = roomWith({});
+  Source source;
+  std::shared_ptr<const World> asked_in;
+  Pose asked_from;
+  int ticks = 0;
+  int questions = 0;
+  const auto late = [&](const Request& request, const std::shared_ptr<const World>& world) -> Expected<Plan> {
+    if (ticks == 0) asked_in = world, asked_from = request.start, ++questions;
+    EXPECT_EQ(world, asked_in);
+    EXPECT_EQ(request.start, asked_from);
+    if (++ticks < 15) return fail(ErrorCode::kBusy, "on its way");
+    ticks = 0;
+    return source(request, world);
+  };
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), late);
+  sim::SimulatedRobot body(roomWith({kBox}), test::nao(), kStart, 0, 1);
+  EXPECT_EQ(drive(dut, body, 900.0), Outcome::kArrived) << dut.why();
+  EXPECT_FALSE(body.truth().has_collided);
+  EXPECT_GT(questions, 1);
+}
+
+TEST(Mission, WantsHelpWhereLocalisationComesTooSeldom) {
+  const auto map = roomWith({});
+  Source source;
+  Mission dut(map, test::nao(), test::requestFor(kStart, kGoal), std::ref(source));
+  sim::SimulatedRobot body(map, test::nao(), kStart, 0, 1);
+  for (int k = 0; k < 600 && dut.outcome() == Outcome::kUnderway; ++k) {
+    Senses senses = body.sense();
+    if (k % 20 != 0) senses.pose.reset();
+    body.step(dut.tick(senses).command);
+  }
+  EXPECT_EQ(dut.outcome(), Outcome::kNeedsHelp);
+  EXPECT_NE(dut.why().find("localisation"), std::string::npos) << dut.why();
+  EXPECT_EQ(body.truth().pose, kStart);
+}
+
 TEST(Mission, StandsStillWhileTheServerIsGoneAndAsksAgain) {
   const auto map = roomWith({});
   Source source;

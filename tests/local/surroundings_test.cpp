@@ -61,7 +61,8 @@ TEST_F(Looking, FindsAWayRoundWhereThereIsRoom) {
 
 TEST_F(Looking, IsSurprisedOnceByEachThing) {
   look({kBox});
-  dut_.expect(*map_, plan_);  // a new plan, made with what was seen
+  dut_.markKnown();  // whoever is asked for a new plan is told of it
+  dut_.expect(*map_, plan_);
   EXPECT_FALSE(dut_.isLaneBlocked(ahead_, 0.0));
   EXPECT_FALSE(dut_.surprisesNear({1.5, 0.6}, 0.3).empty());
 }

@@ -58,6 +58,7 @@ TEST(Window, KeepsWhatBeamsEndOnAndWhatNoneLooksAt) {
     takeBackInAllRows(dut, one_ends_on_it, {});
     takeBackInAllRows(dut, scanTo(2.0), {0.0, 0.0, bearing + std::numbers::pi});  // it is behind
     takeBackInAllRows(dut, scanTo(2.0), {}, 1.0);                                 // it is further
+    takeBackInAllRows(dut, scanTo(Scan::kNotLooked), {});
   }
   EXPECT_TRUE(dut.isOccupied(kThere));
 }
@@ -157,15 +158,15 @@ TEST(Window, TellsWhereInACellSomethingWasSeen) {
 }
 
 /// How far a point lies outside the outlines of what was seen near it, in a direction; negative inside.
-double outside(const Window& dut, Point at, Point towards) {
+double outside(const Window& dut, Point from, Point at, Point towards) {
   double furthest = -1.0;
-  dut.visitOutlines(at, 0.1, 0.01, [&](Point end) {
+  dut.visitOutlines(from, 3.0, 0.01, [&](Point end) {
     furthest = std::max(furthest, (end.x - at.x) * towards.x + (end.y - at.y) * towards.y);
   });
   return -furthest;
 }
 
-/// A wedge's faces run from its tip to either side of a direction; seen with a lidar's noise.
+/// A wedge's faces run from its tip, which a lidar looks at, to either side; its noise is along its view.
 TEST(Window, OutlinesFacesToTheirEndsAndCornersToTheirTips) {
   constexpr unsigned kSeed = 7;
   constexpr double kNoise_m = 0.01;
@@ -180,18 +181,34 @@ TEST(Window, OutlinesFacesToTheirEndsAndCornersToTheirTips) {
     const Point tip{even(random), even(random)};
     const double middle = 2.0 * std::numbers::pi * even(random);
     const double half = 0.75 * even(random);  // 0: one face, seen to its end
+    const double aside = middle + std::numbers::pi + even(random) - 0.5;
+    const Point from{tip.x + std::cos(aside), tip.y + std::sin(aside)};
     for (int i = 0; i < 400; ++i) {
       const double angle = middle + (i % 2 == 0 ? half : -half);
       const double along_m = 0.1 * even(random);
-      dut.hit({tip.x + along_m * std::cos(angle) + noise(random),
-               tip.y + along_m * std::sin(angle) + noise(random)});
+      const Point there{tip.x + along_m * std::cos(angle), tip.y + along_m * std::sin(angle)};
+      const double off = noise(random) / distance(there, from);
+      dut.hit({there.x + off * (there.x - from.x), there.y + off * (there.y - from.y)});
     }
-    const double beyond_m = outside(dut, tip, {-std::cos(middle), -std::sin(middle)});
+    const double beyond_m = outside(dut, from, tip, {-std::cos(middle), -std::sin(middle)});
     worst_m = std::max(worst_m, beyond_m);
     sum_m += beyond_m;
   }
   EXPECT_LT(worst_m, 0.018) << "seed " << kSeed;  // the guard keeps 0.025 from the outlines
   EXPECT_NEAR(sum_m / kRounds, 0.0, 0.004) << "seed " << kSeed;
+}
+
+/// A pole of 3 cm: what is seen of it is as wide as it is, whatever the noise.
+TEST(Window, OutlinesThinThingsAsWideAsTheyAre) {
+  constexpr unsigned kSeed = 3;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> even(-0.015, 0.015);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  Window dut;
+  for (int i = 0; i < 400; ++i) dut.hit({0.825 + noise(random) * 0.5, 0.025 + even(random)});
+  for (const double side : {-1.0, 1.0})
+    EXPECT_LT(outside(dut, {0.0, 0.025}, {0.825, 0.025 + 0.015 * side}, {0.0, side}), 0.004)
+        << "seed " << kSeed;
 }
 
 TEST(Window, TellsOfEachOccupiedCellOnceWhereverItHasSlid) {

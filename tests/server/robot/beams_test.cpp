@@ -64,10 +64,24 @@ TEST(Beams, TellNothingWhereNothingWasMeasuredOrLookedAt) {
   for (std::size_t i = 0; i < scan.beams.count; ++i) {
     const double degrees = std::abs(scan.beams.bearing(i)) * 180.0 / kPi;
     if (degrees < 2.4 || degrees > 45.6) {
-      EXPECT_EQ(scan.ranges_m[i], Scan::kNothing) << degrees;
+      EXPECT_EQ(scan.ranges_m[i], Scan::kNotLooked) << degrees;
     }
     if (degrees > 2.6 && degrees < 44.9) {
       EXPECT_FLOAT_EQ(scan.ranges_m[i], 1.0F) << degrees;
+    }
+  }
+}
+
+TEST(Beams, ThatMeetNothingTellThatNothingIsThere) {
+  const Beams ahead{91, -kPi / 4.0, kPi / 180.0};
+  const Scan scan = asStandardScan(ahead, std::vector<float>(ahead.count, Scan::kNothing), 0.0);
+  for (std::size_t i = 0; i < scan.beams.count; ++i) {
+    const double degrees = std::abs(scan.beams.bearing(i)) * 180.0 / kPi;
+    if (degrees < 44.9) {
+      EXPECT_EQ(scan.ranges_m[i], Scan::kNothing) << degrees;
+    }
+    if (degrees > 45.6) {
+      EXPECT_EQ(scan.ranges_m[i], Scan::kNotLooked) << degrees;
     }
   }
 }

@@ -40,7 +40,7 @@ struct PendingPlansTest : testing::Test {
 TEST_F(PendingPlansTest, saysBusyUntilTheAnswerIsThereAndAsksOnce) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(dut(from(1.0), nullptr).error().code, ErrorCode::kBusy);
   gate.set_value();
-  const auto plan = answerTo(from(1.01));  // its belief of where it stands may move a little
+  const auto plan = answerTo(from(1.0));
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->goal.x, 1.0);
   EXPECT_EQ(asked, 1);
@@ -52,6 +52,15 @@ TEST_F(PendingPlansTest, anAnswerToAnotherPlaceIsNotTaken) {
   const auto plan = answerTo(from(2.0));
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->goal.x, 2.0);
+  EXPECT_EQ(asked, 2);
+}
+
+TEST_F(PendingPlansTest, anAnswerInAnotherWorldIsNotTaken) {
+  EXPECT_FALSE(dut(from(1.0), nullptr));
+  gate.set_value();
+  const auto world = test::ourWorld("scenario3");
+  Expected<Plan> plan = dut(from(1.0), world);
+  for (; !plan; plan = dut(from(1.0), world)) std::this_thread::yield();
   EXPECT_EQ(asked, 2);
 }
 
