@@ -7,6 +7,7 @@
 #include "apps/stop_signals.hpp"
 #include "apps/terminal.hpp"
 #include "apps/wire.hpp"
+#include "local/drivable.hpp"
 #include "server/robot/follower.hpp"
 #include "server/robot/remote_plans.hpp"
 
@@ -57,6 +58,7 @@ Expected<Request> requestFrom(const Met& met, const Arguments& arguments, const 
 Expected<JourneyEnd> follow(const Arguments& arguments, const StopSignals& signals, Journal& journal) {
   const Expected<Site> site = readSite(arguments.map, arguments.robot);
   if (!site) return tl::unexpected(site.error());
+  if (const auto drivable = checkDrivable(*site->robot); !drivable) return tl::unexpected(drivable.error());
   // What can be wrong with the words is told before anyone is looked for.
   if (const auto sound = requestFrom({Pose{}, 0}, arguments, *site); !sound)
     return tl::unexpected(sound.error());

@@ -14,6 +14,7 @@
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "apps/text_file.hpp"
+#include "local/drivable.hpp"
 #include "planner/planner.hpp"
 #include "server/change_service.hpp"
 #include "server/plan_service.hpp"
@@ -71,6 +72,7 @@ Expected<Request> requestOf(const Arguments& arguments, const Site& site) {
 Expected<Course> courseOf(const Arguments& arguments) {
   Expected<Site> site = readSite(arguments.map, arguments.robot);
   if (!site) return tl::unexpected(site.error());
+  if (const auto drivable = checkDrivable(*site->robot); !drivable) return tl::unexpected(drivable.error());
   const auto truth = truthOf(arguments.truth, *site);
   if (!truth) return tl::unexpected(truth.error());
   const auto request = requestOf(arguments, *site);

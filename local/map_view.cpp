@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/layer.hpp"
 #include "local/extent.hpp"
@@ -33,13 +34,25 @@ MapView::MapView(const World& world, Range heights, const Plan& plan, const Tole
   cells_.assign(static_cast<std::size_t>(columns_ * rows), Cell::kEmpty);
   const Layer seen =
       Layer::seenIn({world.floorZ() + heights.min, world.floorZ() + heights.max}, world.obstacles());
-  for (std::int64_t row = 0; row < rows; ++row)
-    for (std::int64_t column = 0; column < columns_; ++column) {
-      const Point middle{corner_.x + (static_cast<double>(column) + 0.5) * kCell_m,
-                         corner_.y + (static_cast<double>(row) + 0.5) * kCell_m};
-      if (!seen.touches(middle, tolerance.far_m)) continue;
-      cells_[static_cast<std::size_t>(row * columns_ + column)] =
-          seen.touches(middle, tolerance.near_m) ? Cell::kNear : Cell::kFar;
+  const auto middle_of = [&](double column, double row) {
+    return Point{corner_.x + column * kCell_m, corner_.y + row * kCell_m};
+  };
+  const auto fill = [&](std::int64_t column, std::int64_t row) {
+    const Point middle = middle_of(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+    if (!seen.touches(middle, tolerance.far_m)) return;
+    cells_[static_cast<std::size_t>(row * columns_ + column)] =
+        seen.touches(middle, tolerance.near_m) ? Cell::kNear : Cell::kFar;
+  };
+  // Most of a long plan's surroundings is empty: it is told block by block.
+  constexpr std::int64_t kBlock = 32;
+  constexpr double kHalf = 0.5 * static_cast<double>(kBlock);
+  const double reach_m = std::numbers::sqrt2 * kHalf * kCell_m + tolerance.far_m;
+  for (std::int64_t row = 0; row < rows; row += kBlock)
+    for (std::int64_t column = 0; column < columns_; column += kBlock) {
+      const Point middle = middle_of(static_cast<double>(column) + kHalf, static_cast<double>(row) + kHalf);
+      if (!seen.touches(middle, reach_m)) continue;
+      for (std::int64_t y = row; y < std::min(row + kBlock, rows); ++y)
+        for (std::int64_t x = column; x < std::min(column + kBlock, columns_); ++x) fill(x, y);
     }
 }
 
