@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -53,14 +54,22 @@ CLI::Option* addParsedList(CLI::App& command, const std::string& flag, std::vect
       ->allow_extra_args(false);
 }
 
+/// A number as one writes it, without an exponent: "0.01", "86400000".
+std::string written(double number) {
+  std::array<char, 512> text;  // holds any double in full
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
+  return {text.data(), end};
+}
+
 /// A number inside a range; `inf` only where the range ends there. (CLI::Range lets NaN pass.)
 auto within(double least, double most) {
   return [=](const std::string& text) -> Expected<double> {
     const Expected<double> number = most == kInfinity && text == "inf" ? kInfinity : parseNumber(text);
     if (!number || (*number >= least && *number <= most)) return number;
-    const std::string upper = most == kInfinity ? " or more" : " to " + CLI::detail::to_string(most);
+    const std::string upper = most == kInfinity ? " or more" : " to " + written(most);
     return fail(ErrorCode::kInvalidRequest,
-                "\"" + text + "\" is out of range; give " + CLI::detail::to_string(least) + upper);
+                "\"" + text + "\" is out of range; give " + written(least) + upper);
   };
 }
 
@@ -73,13 +82,14 @@ void refuseProgressOfNothing(const CLI::App& command) {
     if (command.count(flag) > 0) throw CLI::RequiresError(flag, "--replan");
 }
 
-Expected<std::uint64_t> parseWhole(const std::string& text) {
+/// (CLI11 takes -1 for the largest one, and 0x5 for 5.)
+Expected<std::uint64_t> parseWhole(const std::string& text, std::uint64_t least, std::uint64_t most) {
   std::uint64_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc{} && stopped == end) return number;
-  return fail(ErrorCode::kInvalidRequest,
-              "\"" + text + "\" is not a whole number from 0 to 18446744073709551615");
+  if (error == std::errc{} && stopped == end && number >= least && number <= most) return number;
+  return fail(ErrorCode::kInvalidRequest, "\"" + text + "\" is not a whole number from " +
+                                              std::to_string(least) + " to " + std::to_string(most));
 }
 
 /// The name of a file, if its folder can take one.
@@ -209,7 +219,7 @@ void addQuery(CLI::App& command, QueryArguments& arguments) {
       ->type_name("MODE");
   addParsed(command, "--policy", arguments.policy, policy, "priority|fastest|safest",
             "What 'best' means (priority)");
-  addParsed(command, "--max-detour", arguments.max_detour, within(1.0, kInfinity), "F",
+  addNumber(command, "--max-detour", arguments.max_detour, 1.0, kInfinity, "F",
             "priority takes the fastest plan when its own takes F times as long (3; inf: never)");
   addParsed(command, "--deadline-ms", arguments.deadline, deadline, "N", "Time for the answer (10000)");
 }
@@ -222,17 +232,15 @@ void addReplan(CLI::App& command, FollowArguments& arguments) {
       ->type_name("PLAN.json")
       ->excludes("--start-mode", "--goal-mode", "--policy", "--max-detour");
   addProgress(command, arguments);
-  addParsed(command, "--gain", arguments.gain, within(0.0, 1.0), "F",
+  addNumber(command, "--gain", arguments.gain, 0.0, 1.0, "F",
             "What a new plan must save of the time that is left, besides 2 s (0.1)");
   command.parse_complete_callback([&command] { refuseProgressOfNothing(command); });
 }
 
 void addProgress(CLI::App& command, FollowArguments& arguments) {
-  command.add_option("--segment", arguments.segment, "Segment the robot is in, counted from 1 (1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100'000));
-  addParsed(command, "--done", arguments.done, within(0.0, 1.0), "F",
-            "Share of that segment that is done (0)");
+  addWhole(command, "--segment", arguments.segment, 1, 100'000,
+           "Segment the robot is in, counted from 1 (1)");
+  addNumber(command, "--done", arguments.done, 0.0, 1.0, "F", "Share of that segment that is done (0)");
 }
 
 CLI::Option* addObstacles(CLI::App& command, const std::string& flag, std::vector<Obstacle>& obstacles,
@@ -252,15 +260,29 @@ CLI::Option* addOutputFile(CLI::App& command, const std::string& flag, std::stri
 }
 
 void addDomain(CLI::App& command, DomainSettings& domain) {
-  command.add_option("--domain", domain.id, "DDS domain, 0 to 230 (0)")
-      ->type_name("N")
-      ->check(CLI::Range(0U, Domain::kLargestId));
+  addWhole(command, "--domain", domain.id, 0, Domain::kLargestId, "DDS domain, 0 to 230 (0)");
   command.add_flag("--network", domain.use_network, "Meet other machines too, not only this one");
+}
+
+CLI::Option* addNumber(CLI::App& command, const std::string& flag, double& number, double least, double most,
+                       const std::string& shape, const std::string& help) {
+  return addParsed(command, flag, number, within(least, most), shape, help);
 }
 
 CLI::Option* addWhole(CLI::App& command, const std::string& flag, std::uint64_t& number,
                       const std::string& help) {
-  return addParsed(command, flag, number, parseWhole, "N", help);
+  return addWhole(command, flag, number, 0, std::numeric_limits<std::uint64_t>::max(), help);
+}
+
+CLI::Option* addWholeInto(CLI::App& command, const std::string& flag,
+                          const std::function<void(std::uint64_t)>& keep, std::uint64_t least,
+                          std::uint64_t most, const std::string& help) {
+  const auto read = [=](const std::string& text) {
+    const Expected<std::uint64_t> whole = parseWhole(text, least, most);
+    if (!whole) throw CLI::ValidationError(flag, whole.error().message);
+    keep(*whole);
+  };
+  return command.add_option_function<std::string>(flag, read, help)->type_name("N");
 }
 
 void addSeed(CLI::App& command, std::uint64_t& seed) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,9 +84,24 @@ CLI::Option* addPose(CLI::App& command, const std::string& flag, std::optional<P
                      const std::string& help);
 /// --domain and --network: where robots and servers meet.
 void addDomain(CLI::App& command, DomainSettings& domain);
-/// A whole number from 0 to the largest of 64 bits, and nothing else. (CLI11 takes -1 for that largest one.)
+/// A finite number from `least` to `most`, and nothing else; "inf" only where `most` is infinite. (CLI11's
+/// own ranges let NaN pass.)
+CLI::Option* addNumber(CLI::App& command, const std::string& flag, double& number, double least, double most,
+                       const std::string& shape, const std::string& help);
+/// A whole number from 0 to the largest of 64 bits, and nothing else.
 CLI::Option* addWhole(CLI::App& command, const std::string& flag, std::uint64_t& number,
                       const std::string& help);
+/// One from `least` to `most`, given to `keep`.
+CLI::Option* addWholeInto(CLI::App& command, const std::string& flag,
+                          const std::function<void(std::uint64_t)>& keep, std::uint64_t least,
+                          std::uint64_t most, const std::string& help);
+/// The same into a variable, which can hold `most`.
+template <class Whole>
+CLI::Option* addWhole(CLI::App& command, const std::string& flag, Whole& number, std::uint64_t least,
+                      std::uint64_t most, const std::string& help) {
+  const auto keep = [&number](std::uint64_t whole) { number = static_cast<Whole>(whole); };
+  return addWholeInto(command, flag, keep, least, most, help);
+}
 /// --seed.
 void addSeed(CLI::App& command, std::uint64_t& seed);
 /// --roadmap: the file in which a roadmap outlives the program (roadmap_store.hpp).

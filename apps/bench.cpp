@@ -215,10 +215,8 @@ Subcommand addBenchCommand(CLI::App& program) {
   addRobot(command, arguments->robot);
   command.add_option("--queries", arguments->queries, "planners: starts and goals (CSV); else the map's own")
       ->type_name("FILE");
-  command.add_option("--runs", arguments->runs, "planners: of each on each query")
-      ->check(CLI::Range(1, 100'000));
-  command.add_option("--limit-s", arguments->limit_s, "planners: of each run")
-      ->check(CLI::Range(0.001, 3600.0));
+  addWhole(command, "--runs", arguments->runs, 1, 100'000, "planners: of each on each query (20)");
+  addNumber(command, "--limit-s", arguments->limit_s, 0.001, 3600.0, "S", "planners: of each run (5)");
   command
       .add_option("--plots", arguments->plots,
                   "planners: write OMPL's log, a table and pictures here; physics: pictures")
@@ -229,10 +227,8 @@ Subcommand addBenchCommand(CLI::App& program) {
   command.add_option("--only", arguments->only, "local, physics, planner: one part of it")
       ->check(CLI::IsMember(partsOf("local")) | CLI::IsMember(partsOf("planner")) |
               CLI::IsMember(partsOf("physics")));
-  command
-      .add_option("--own-s", arguments->own_s,
-                  "planner: help the oracle with the planner's own best after S seconds")
-      ->type_name("S");
+  addNumber(command, "--own-s", arguments->own_s, 0.0, 86400.0, "S",
+            "planner: help the oracle with the planner's own best after S seconds (0: not)");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

@@ -12,15 +12,13 @@ void addTruth(CLI::App& command, TruthArguments& arguments) {
       ->type_name("FILE");
   addObstacles(command, "--unmapped", arguments.unmapped,
                "A thing that is there and not in the map: middle and full size of a box [m, rad]");
-  command
-      .add_option("--noise", arguments.noise, "Times the honest noise of sensors and gaits, 0.01 to 10 (1)")
-      ->type_name("F")
-      ->check(CLI::Range(0.01, 10.0));
+  addNumber(command, "--noise", arguments.noise, 0.01, 10.0, "F",
+            "Times the honest noise of sensors and gaits, 0.01 to 10 (1)");
   addWhole(command, "--seed", arguments.seed, "Of the simulated robot's noise (1)");
 }
 
 CLI::Option* addRate(CLI::App& command, double& rate, const std::string& help) {
-  return command.add_option("--rate", rate, help)->type_name("F")->check(CLI::Range(0.01, 1000.0));
+  return addNumber(command, "--rate", rate, 0.01, 1000.0, "F", help);
 }
 
 void addQueryName(CLI::App& command, std::string& name) {

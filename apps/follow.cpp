@@ -105,14 +105,10 @@ Subcommand addFollowCommand(CLI::App& program) {
   addQuery(command, arguments->query);
   addQueryName(command, arguments->query_name);
   addWire(command, arguments->wire);
-  command.add_option("--robot-timeout-s", arguments->robot_timeout_s, "How long to listen for the robot (5)")
-      ->type_name("S")
-      ->check(CLI::Range(0.1, 3600.0));
-  command
-      .add_option("--server-timeout-s", arguments->server_timeout_s,
-                  "How long to stand and wait for a server that went away (30)")
-      ->type_name("S")
-      ->check(CLI::Range(1.0, 86400.0));
+  addNumber(command, "--robot-timeout-s", arguments->robot_timeout_s, 0.1, 3600.0, "S",
+            "How long to listen for the robot (5)");
+  addNumber(command, "--server-timeout-s", arguments->server_timeout_s, 1.0, 86400.0, "S",
+            "How long to stand and wait for a server that went away (30)");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

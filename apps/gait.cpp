@@ -168,15 +168,10 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
   crawl.add_option("--gait", arguments.gait, "One of `underway gait list`, or a gait's file")
       ->capture_default_str()
       ->type_name("NAME|FILE");
-  crawl.add_option("--cycles", arguments.cycles, "How many")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str();
-  crawl.add_option("--push-s", arguments.push_s, "Duration of a push, else the gait's own")
-      ->check(CLI::Range(0.1, 60.0))
-      ->type_name("S");
-  crawl.add_option("--turn-rad", arguments.turn_rad, "Turn by this in each push, to the left")
-      ->check(CLI::Range(-0.2, 0.2))
-      ->type_name("RAD");
+  addWhole(crawl, "--cycles", arguments.cycles, 1, 10'000, "How many (1)");
+  addNumber(crawl, "--push-s", arguments.push_s, 0.1, 60.0, "S", "Duration of a push, else the gait's own");
+  addNumber(crawl, "--turn-rad", arguments.turn_rad, -0.2, 0.2, "RAD",
+            "Turn by this in each push, to the left (0)");
   crawl.add_flag("--standing", arguments.is_from_standing,
                  "The table also goes down from standing before, and gets up after");
   addOutputFile(crawl, "--out", arguments.out, "FILE", "The joint table; .csv, or .json as NAOqi takes it");

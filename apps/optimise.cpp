@@ -161,16 +161,12 @@ std::function<ExitCode()> addOptimise(CLI::App& gait_command, CLI::App*& command
       ->check(CLI::IsMember({"descent", "genetic"}))
       ->capture_default_str();
   addWhole(*command, "--seed", arguments->seed, "Of the random numbers (1)");
-  command->add_option("--evaluations", arguments->evaluations, "At most")
-      ->check(CLI::Range(200, 10'000'000))
-      ->capture_default_str();
+  addWhole(*command, "--evaluations", arguments->evaluations, 200, 10'000'000, "At most (7200)");
   command->add_flag("--free-ends", arguments->has_free_ends, "Knees and hips may begin and end elsewhere");
-  command->add_option("--height-m", arguments->height_m, "No joint of the chain above this")
-      ->check(CLI::Range(0.05, 1.0))
-      ->capture_default_str();
-  command->add_option("--push-s", arguments->push_s, "Duration of the push")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
+  addNumber(*command, "--height-m", arguments->height_m, 0.05, 1.0, "M",
+            "No joint of the chain above this (" + fixed(arguments->height_m, 2) + ")");
+  addNumber(*command, "--push-s", arguments->push_s, 0.1, 60.0, "S",
+            "Duration of the push (" + fixed(arguments->push_s, 1) + ")");
   addOutputFile(*command, "--out", arguments->out, "FILE.json", "Write the gait");
   addOutputFile(*command, "--plot", arguments->plot, "FILE.svg", "Draw the search");
   command->footer(kExamples);

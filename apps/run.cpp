@@ -262,9 +262,8 @@ Subcommand addRunCommand(CLI::App& program) {
   addQueryName(command, arguments->query_name);
   addTruth(command, arguments->truth);
   addRate(command, arguments->rate, "Simulated seconds in a second (as many as there can be)");
-  command.add_option("--limit-s", arguments->limit_s, "Simulated seconds after which it is given up (1800)")
-      ->type_name("S")
-      ->check(CLI::Range(1.0, 86400.0));
+  addNumber(command, "--limit-s", arguments->limit_s, 1.0, 86400.0, "S",
+            "Simulated seconds after which it is given up (1800)");
   addOutputFile(command, "--html", arguments->html, "FILE", "Write a page that shows the run again");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};

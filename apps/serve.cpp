@@ -177,21 +177,18 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand addServeCommand(CLI::App& program) {
+  constexpr std::uint64_t kDay_ms = 86'400'000;
   CLI::App& command = *program.add_subcommand("serve", "Answer plan requests over DDS until told to stop");
   const auto arguments = std::make_shared<Arguments>();
   addMap(command, arguments->map)->required();
   addRobot(command, arguments->robot);
   addDomain(command, arguments->domain);
-  command
-      .add_option("--workers", arguments->service.threads, "Threads that plan (as many as the machine has)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
+  addWhole(command, "--workers", arguments->service.threads, 1, 256,
+           "Threads that plan (as many as the machine has)");
   addSeed(command, arguments->growth.seed);
   addRoadmap(command, arguments->roadmap_file);
-  command
-      .add_option("--prepare-ms", arguments->prepare_ms,
-                  "Longest time for growing the roadmap at first (30000)")
-      ->type_name("N");
+  addWhole(command, "--prepare-ms", arguments->prepare_ms, 0, kDay_ms,
+           "Longest time for growing the roadmap at first (30000)");
   command
       .add_option("--ready-file", arguments->ready_file,
                   "Write this file once it answers, and remove it when it ends")

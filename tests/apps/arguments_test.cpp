@@ -73,6 +73,54 @@ TEST(Arguments, WhatIsOutOfRangeIsRefusedWithItsFlag) {
   }
 }
 
+/// What an option takes from a text: what is said against it, or nothing.
+template <class Add>
+std::string parseOne(const std::string& text, const Add& add) {
+  CLI::App command("test");
+  add(command);
+  try {
+    command.parse(std::vector<std::string>{text, "--x"});  // from the last to the first
+    return {};
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+}
+
+TEST(Arguments, ANumberIsFiniteAndInsideItsRange) {
+  const auto parse = [](const std::string& text, double& number) {
+    return parseOne(
+        text, [&](CLI::App& command) { addNumber(command, "--x", number, 0.01, 1000.0, "F", "A number"); });
+  };
+  double number = 0.0;
+  for (const auto& [text, value] : {std::pair{"0.01", 0.01}, {"1e3", 1000.0}, {"2.5", 2.5}}) {
+    EXPECT_EQ(parse(text, number), "");
+    EXPECT_EQ(number, value);
+  }
+  for (const char* text : {"nan", "-nan", "NaN", "inf", "-inf", "0x5", "5 ", "5m", "1001", "0.009", "-1", ""})
+    EXPECT_NE(parse(text, number), "") << text;
+  EXPECT_EQ(number, 2.5);
+  EXPECT_EQ(parse("1e9", number), "--x: \"1e9\" is out of range; give 0.01 to 1000");
+}
+
+TEST(Arguments, AWholeNumberIsInsideItsRange) {
+  const auto parse = [](const std::string& text, int& number) {
+    return parseOne(text, [&](CLI::App& command) { addWhole(command, "--x", number, 1, 256, "A number"); });
+  };
+  int number = 0;
+  EXPECT_EQ(parse("256", number), "");
+  EXPECT_EQ(number, 256);
+  for (const char* text : {"0", "257", "-1", "0x5", "1.0", "1e2", "nan", "4294967297", ""})
+    EXPECT_NE(parse(text, number), "") << text;
+  EXPECT_EQ(number, 256);
+  EXPECT_EQ(parse("0x5", number), "--x: \"0x5\" is not a whole number from 1 to 256");
+}
+
+TEST(Arguments, ARangeIsToldInNumbersThatCanBeRead) {
+  QueryArguments arguments;
+  EXPECT_EQ(parseQuery({"--deadline-ms", "0"}, arguments),
+            "--deadline-ms: \"0\" is out of range; give 1 to 86400000");
+}
+
 TEST(Arguments, ADetourWithoutLimitIsSaidAsInf) {
   QueryArguments arguments;
   EXPECT_EQ(parseQuery({"--max-detour", "inf"}, arguments), "");
