@@ -4,6 +4,7 @@
 #include "apps/deliver.hpp"
 #include "apps/draw_svg.hpp"
 #include "apps/inputs.hpp"
+#include "apps/rivals.hpp"
 #include "apps/terminal.hpp"
 #include "server/client.hpp"
 
@@ -88,7 +89,9 @@ Expected<PlanDocument> askServer(const Arguments& arguments) {
   if (!domain) return tl::unexpected(domain.error());
   Expected<PlanClient> client = PlanClient::open(*domain);
   if (!client) return tl::unexpected(client.error());
-  return client->ask(*question);
+  Expected<PlanDocument> reply = client->ask(*question);
+  if (reply) complainOfRivals(client->servers(), arguments.domain.id);
+  return reply;
 }
 
 /// A picture draws the server's modes with the bodies of a local robot file: they must be the same modes.

@@ -3,6 +3,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/deliver.hpp"
+#include "apps/rivals.hpp"
 #include "apps/table.hpp"
 #include "apps/terminal.hpp"
 #include "server/change_client.hpp"
@@ -49,7 +50,9 @@ Expected<ChangeAnswer> askServer(const Arguments& arguments) {
   if (!domain) return tl::unexpected(domain.error());
   Expected<ChangeClient> client = ChangeClient::open(*domain);
   if (!client) return tl::unexpected(client.error());
-  return client->ask(questionOf(arguments));
+  Expected<ChangeAnswer> answer = client->ask(questionOf(arguments));
+  if (answer) complainOfRivals(client->servers(), arguments.domain.id);
+  return answer;
 }
 
 std::string tableOf(const ChangeAnswer& answer) {

@@ -16,6 +16,7 @@
 #include "apps/text_file.hpp"
 #include "planner/planner.hpp"
 #include "server/change_service.hpp"
+#include "server/client.hpp"
 #include "server/plan_service.hpp"
 
 namespace underway {
@@ -102,6 +103,33 @@ void prepare(Planner& planner, std::chrono::milliseconds most, const std::stop_t
       Planner::Clock::now() + most, [&](double share) { bar.show(share); }, stop);
 }
 
+/// Looks whether another server answers in the domain. It is no reason to refuse: one that was killed stays
+/// there for a moment.
+class Lookout {
+ public:
+  /// Begins to discover, which takes a moment.
+  [[nodiscard]] static Expected<Lookout> open(const std::shared_ptr<const Domain>& domain) {
+    Expected<PlanClient> client = PlanClient::open(domain);
+    if (!client) return tl::unexpected(client.error());
+    return Lookout(std::move(*client));
+  }
+  /// Before a service of our own is there to be seen.
+  void tell(spdlog::logger& log, std::uint32_t domain) {
+    if (client_.findServer(began_ + kDiscovery))
+      log.warn(
+          "another server answers in DDS domain {}, or did until a moment ago: while both do, a question "
+          "gets "
+          "the answer of one of them, whichever; stop one, or give --domain",
+          domain);
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kDiscovery{300};  // of which growing takes most
+  explicit Lookout(PlanClient client) : client_(std::move(client)) {}
+  PlanClient client_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
 /// Says that the server answers, by a file that is there for as long as it does. One that an earlier server
 /// has left goes first; anything else of that name stays until it is written over.
 class ReadyFile {
@@ -136,6 +164,8 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   const auto domain = Domain::open(arguments.domain);
   if (!domain) return tl::unexpected(domain.error());
 
+  auto lookout = Lookout::open(*domain);  // discovers while the roadmap grows
+  if (!lookout) return tl::unexpected(lookout.error());
   const auto log =
       std::make_shared<spdlog::logger>("underway", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
   const auto planner = std::make_shared<Planner>(site->world, site->robot, arguments.growth);
@@ -144,6 +174,7 @@ Expected<void> serve(const Arguments& arguments, const StopSignals& signals) {
   prepare(*planner, std::chrono::milliseconds(arguments.prepare_ms), signals.token());
   store.saveFrom(*planner);
   if (signals.token().stop_requested()) return {};
+  lookout->tell(*log, arguments.domain.id);
 
   Expected<PlanService> service =
       PlanService::start(*domain, servedBy(*site, arguments.growth.seed),

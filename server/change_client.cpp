@@ -42,4 +42,6 @@ Expected<ChangeAnswer> ChangeClient::ask(const ChangeQuestion& question, std::ch
   return *std::move(answer);
 }
 
+std::size_t ChangeClient::servers() const { return state_->conversation.servers(); }
+
 }  // namespace underway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -49,6 +50,10 @@ class ChangeClient {
   /// PlanClient.
   [[nodiscard]] Expected<ChangeAnswer> ask(const ChangeQuestion& question,
                                            std::chrono::milliseconds patience = std::chrono::seconds(30));
+
+  /// How many servers would get a question now; of more than one, the first to reply answers it. Those that
+  /// have been discovered: none right after open(); one that was killed counts for about 1 s more.
+  [[nodiscard]] std::size_t servers() const;
 
  private:
   struct State;

@@ -52,4 +52,10 @@ Expected<PlanDocument> PlanClient::ask(const Question& question) {
   return ask(question, question.deadline + kRoundTrip);
 }
 
+Expected<void> PlanClient::findServer(std::chrono::steady_clock::time_point until) {
+  return state_->conversation.findServer(until);
+}
+
+std::size_t PlanClient::servers() const { return state_->conversation.servers(); }
+
 }  // namespace underway

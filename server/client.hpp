@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 
 #include "planner/plan_document.hpp"
@@ -31,6 +32,12 @@ class PlanClient {
 
   /// With enough patience for the question's deadline and the way there and back.
   [[nodiscard]] Expected<PlanDocument> ask(const Question& question);
+
+  /// How many servers would get a question now; of more than one, the first to reply answers it. Those that
+  /// have been discovered: none right after open(); one that was killed counts for about 1 s more.
+  [[nodiscard]] std::size_t servers() const;
+  /// Waits until there is one. Errors: kNoServer if there is none by then; kInternal.
+  [[nodiscard]] Expected<void> findServer(std::chrono::steady_clock::time_point until);
 
  private:
   struct State;

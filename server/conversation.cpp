@@ -61,11 +61,11 @@ Expected<void> Conversation::listenFor(const std::string& robot) {
   return {};
 }
 
-/// Whether a server's reader is matched now; also lets the wait set sleep again.
-bool Conversation::hasServer() const {
+/// Those whose readers are matched now; also lets the wait set sleep again.
+std::size_t Conversation::servers() const {
   dds_publication_matched_status_t status{};
-  return dds_get_publication_matched_status(writer_.get(), &status) == DDS_RETCODE_OK &&
-         status.current_count > 0;
+  return dds_get_publication_matched_status(writer_.get(), &status) == DDS_RETCODE_OK ? status.current_count
+                                                                                      : 0;
 }
 
 Expected<void> Conversation::findServer(Clock::time_point until) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,13 +32,16 @@ class Conversation {
   /// of DDS.
   [[nodiscard]] Expected<void> converse(const void* request, const std::string& robot,
                                         Clock::time_point until, const Find& find);
+  /// How many servers hear the requests now, as far as they have been discovered. One that was killed counts
+  /// for about 1 s more.
+  [[nodiscard]] std::size_t servers() const;
+  /// Waits for the first of them. Errors: kNoServer if there is none by then; kInternal.
+  [[nodiscard]] Expected<void> findServer(Clock::time_point until);
 
  private:
   Conversation() = default;
   [[nodiscard]] Expected<void> listenFor(const std::string& robot);
-  [[nodiscard]] bool hasServer() const;
-  [[nodiscard]] Expected<void> findServer(Clock::time_point until);
-
+  [[nodiscard]] bool hasServer() const { return servers() > 0; }
   Link link_;
   PlanClientSettings settings_;
   RequestId id_;

@@ -83,6 +83,28 @@ TEST(Serve, KeepsTheReadyFileForAsLongAsItAnswers) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST(Serve, TwoServersInADomainAreToldByTheSecondAndByThoseWhoAsk) {
+  const Server first(serveWords({}));
+  ASSERT_EQ(first.firstLine(), "ready") << first.errors();
+  EXPECT_FALSE(says(first.errors(), "another server")) << first.errors();
+  EXPECT_FALSE(says(askThrough().errors, "servers answer"));
+  const Server second(serveWords({}));
+  ASSERT_EQ(second.firstLine(), "ready") << second.errors();
+  EXPECT_TRUE(says(second.errors(), "another server answers in DDS domain " + testDomain()))
+      << second.errors();
+  // One that asks may be answered before it has discovered both.
+  const auto isTold = [](const auto& question) {
+    for (int tries = 0; tries < 20; ++tries) {
+      const Outcome asked = question();
+      EXPECT_EQ(asked.exit_code, 0) << asked.errors;
+      if (says(asked.errors, "2 servers answer in DDS domain " + testDomain())) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(isTold(askThrough));
+  EXPECT_TRUE(isTold([] { return client("change", {}); }));
+}
+
 TEST(Serve, SavesWhatRequestsHaveMadeItGrow) {
   const Folder folder;
   const std::string file = folder.path("a.roadmap");
