@@ -98,8 +98,13 @@ class Loan {
   /// Calls visit(const T&) for each sample that holds data.
   template <class T, class Visit>
   void forEach(Visit visit) const {
+    forEachFrom<T>([&](const T& sample, dds_instance_handle_t) { visit(sample); });
+  }
+  /// Calls visit(const T&, dds_instance_handle_t writer), which tells writers apart.
+  template <class T, class Visit>
+  void forEachFrom(Visit visit) const {
     for (std::size_t i = 0; i < count_; ++i)
-      if (infos_[i].valid_data) visit(*static_cast<const T*>(samples_[i]));
+      if (infos_[i].valid_data) visit(*static_cast<const T*>(samples_[i]), infos_[i].publication_handle);
   }
 
  private:

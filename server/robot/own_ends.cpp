@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "server/dds.hpp"
 #include "server/link.hpp"
@@ -12,6 +14,24 @@ namespace {
 constexpr const char* kSensesTopic = "underway/senses";
 constexpr const char* kCommandTopic = "underway/command";
 
+/// Whom the samples come from. A writer may follow another for good, as one that was started anew does; one
+/// that comes again after another is alive beside it.
+class Writers {
+ public:
+  void hear(dds_instance_handle_t writer) {
+    if (writer == current_) return;
+    if (current_ != 0) former_.push_back(current_);
+    current_ = writer;
+    are_several_ = are_several_ || std::ranges::find(former_, writer) != former_.end();
+  }
+  [[nodiscard]] bool areSeveral() const { return are_several_; }
+
+ private:
+  dds_instance_handle_t current_ = 0;  // none yet
+  std::vector<dds_instance_handle_t> former_;
+  bool are_several_ = false;
+};
+
 /// A topic that is written and one that is read, in the partition of a robot's name. Keeps the newest alone.
 class Channel {
  public:
@@ -19,10 +39,13 @@ class Channel {
     const dds_topic_descriptor_t& type;
     const char* name;
   };
-  static Expected<Channel> open(const Domain& domain, const std::string& robot, Topic out, Topic in) {
+  /// `others`: what several who write `in` are told by, up to the name.
+  static Expected<Channel> open(const Domain& domain, const std::string& robot, Topic out, Topic in,
+                                const std::string& others) {
     if (!isRobotName(robot))
       return fail(ErrorCode::kInvalidRequest, "the robot's name must be 1 to 64 of A-Z a-z 0-9 _ -");
     Channel made;
+    made.several_ = others + " \"" + robot + "\": give each its own --name";
     FirstError first;
     made.participant_ = first.unwrap(dds::createParticipant(domain));
     made.out_ = first.unwrap(dds::createTopic(made.participant_, out.type, out.name));
@@ -40,18 +63,32 @@ class Channel {
   void write(const void* sample) const { dds_write(writer_.get(), sample); }
   void flush() const { dds_wait_for_acks(writer_.get(), DDS_MSECS(200)); }
 
-  /// Waits for samples and gives `convert` each of them.
-  template <class Wire, class Convert>
-  Expected<void> read(dds::Clock::time_point until, const Convert& convert) {
-    const auto woken = wait_set_.wait(until);
-    if (!woken) return tl::unexpected(woken.error());
-    const auto loan = dds::Loan::take(reader_);
-    if (!loan) return tl::unexpected(loan.error());
-    (*loan)->template forEach<Wire>(convert);
-    return {};
+  /// Waits for a sample that can be read, and gives the newest; empty when the time comes first. `refuse`
+  /// gets the errors of the others. Errors: kInvalidRequest if several write.
+  template <class Heard, class Wire, class Refuse>
+  Expected<std::optional<Heard>> hear(dds::Clock::time_point until, const Robot& robot,
+                                      const Refuse& refuse) {
+    std::optional<Heard> newest;
+    while (true) {
+      const auto woken = wait_set_.wait(until);
+      if (!woken) return tl::unexpected(woken.error());
+      const auto loan = dds::Loan::take(reader_);
+      if (!loan) return tl::unexpected(loan.error());
+      (*loan)->template forEachFrom<Wire>([&](const Wire& wire, dds_instance_handle_t writer) {
+        writers_.hear(writer);
+        if (auto heard = fromWire(wire, robot))
+          newest = std::move(*heard);
+        else
+          refuse(heard.error());
+      });
+      if (writers_.areSeveral()) return fail(ErrorCode::kInvalidRequest, several_);
+      if (newest || dds::Clock::now() >= until) return newest;
+    }
   }
 
  private:
+  std::string several_;  // the sentence for several writers
+  Writers writers_;
   dds::Entity participant_;
   dds::Entity out_;
   dds::Entity in_;
@@ -72,12 +109,7 @@ class OwnRobotEnd final : public RobotEnd {
   }
 
   Expected<std::optional<HeardCommand>> hear(Clock::time_point until) override {
-    std::optional<HeardCommand> newest;
-    const auto read = channel_.read<underway_Command>(until, [&](const underway_Command& wire) {
-      if (auto heard = fromWire(wire, *robot_)) newest = *heard;
-    });
-    if (!read) return tl::unexpected(read.error());
-    return newest;
+    return channel_.hear<HeardCommand, underway_Command>(until, *robot_, [](const Error&) {});
   }
 
  private:
@@ -91,15 +123,8 @@ class OwnDriverEnd final : public DriverEnd {
       : channel_(std::move(channel)), robot_(std::move(robot)) {}
 
   Expected<std::optional<HeardSenses>> hear(Clock::time_point until) override {
-    std::optional<HeardSenses> newest;
-    const auto read = channel_.read<underway_Senses>(until, [&](const underway_Senses& wire) {
-      if (auto heard = fromWire(wire, *robot_))
-        newest = std::move(*heard);
-      else
-        fault_ = heard.error().message;
-    });
-    if (!read) return tl::unexpected(read.error());
-    return newest;
+    return channel_.hear<HeardSenses, underway_Senses>(
+        until, *robot_, [this](const Error& error) { fault_ = error.message; });
   }
 
   Expected<void> send(std::uint64_t tick, const Command& command) override {
@@ -122,15 +147,16 @@ class OwnDriverEnd final : public DriverEnd {
 Expected<std::unique_ptr<RobotEnd>> openRobotEnd(const Domain& domain, const std::string& name,
                                                  std::shared_ptr<const Robot> robot) {
   auto channel = Channel::open(domain, name, {underway_Senses_desc, kSensesTopic},
-                               {underway_Command_desc, kCommandTopic});
+                               {underway_Command_desc, kCommandTopic}, "two drivers command the robot");
   if (!channel) return tl::unexpected(channel.error());
   return std::make_unique<OwnRobotEnd>(std::move(*channel), std::move(robot));
 }
 
 Expected<std::unique_ptr<DriverEnd>> openDriverEnd(const Domain& domain, const std::string& name,
                                                    std::shared_ptr<const Robot> robot) {
-  auto channel = Channel::open(domain, name, {underway_Command_desc, kCommandTopic},
-                               {underway_Senses_desc, kSensesTopic});
+  auto channel =
+      Channel::open(domain, name, {underway_Command_desc, kCommandTopic},
+                    {underway_Senses_desc, kSensesTopic}, "two robots tell what they sense under the name");
   if (!channel) return tl::unexpected(channel.error());
   return std::make_unique<OwnDriverEnd>(std::move(*channel), std::move(robot));
 }

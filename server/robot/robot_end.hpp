@@ -13,7 +13,8 @@
 namespace underway {
 
 /// The robot's end of its wire, whatever it is made of: tells senses, takes commands. Errors are those of DDS
-/// (kInternal). Thread safety: none; one thread at a time.
+/// (kInternal), and kInvalidRequest when several drivers command one robot, or several robots have one name,
+/// over our own topics. Thread safety: none; one thread at a time.
 class RobotEnd {
  public:
   using Clock = std::chrono::steady_clock;

@@ -94,6 +94,58 @@ TEST_F(OwnEndsTest, whatIsMalformedIsPassedOverAndTold) {
   EXPECT_TRUE(tellAndHear(told));
 }
 
+TEST_F(OwnEndsTest, whatIsMalformedDoesNotEndTheWaiting) {
+  const dds::Entity participant = dds::createParticipant(*domain).value();
+  const dds::Entity topic = dds::createTopic(participant, underway_Senses_desc, "underway/senses").value();
+  const dds::Entity writer = dds::createWriter(participant, topic, {.partition = "nao_1"}).value();
+  HeardSenses told = randomSenses(1);
+  told.rest.heading_rad = 0.5;
+  const WireSenses wire = toWire(3, told.senses(), *test::nao());
+  wire->heading_rad = 1e9;
+  for (const auto until = inTime(); driver->fault().empty() && RobotEnd::Clock::now() < until;) {
+    dds_write(writer.get(), wire.get());
+    const auto full = RobotEnd::Clock::now() + std::chrono::milliseconds(100);
+    EXPECT_FALSE(driver->hear(full).value());
+    EXPECT_GE(RobotEnd::Clock::now(), full);
+  }
+  EXPECT_FALSE(driver->fault().empty());
+}
+
+TEST_F(OwnEndsTest, twoRobotsOfOneNameAreAnError) {
+  const auto other = openRobotEnd(*domain, "nao_1", test::nao()).value();
+  const HeardSenses told = randomSenses(1);
+  Expected<std::optional<HeardSenses>> heard;
+  for (const auto until = inTime(); heard && RobotEnd::Clock::now() < until;)
+    for (RobotEnd* const end : {robot.get(), other.get()}) {
+      ASSERT_TRUE(end->tell(1, told.senses()));
+      if (heard) heard = driver->hear(RobotEnd::Clock::now() + std::chrono::milliseconds(20));
+    }
+  ASSERT_FALSE(heard);
+  EXPECT_EQ(heard.error().message,
+            "two robots tell what they sense under the name \"nao_1\": give each its own --name");
+}
+
+TEST_F(OwnEndsTest, twoDriversOfOneRobotAreAnError) {
+  const auto other = openDriverEnd(*domain, "nao_1", test::nao()).value();
+  Expected<std::optional<HeardCommand>> heard;
+  for (const auto until = inTime(); heard && RobotEnd::Clock::now() < until;)
+    for (DriverEnd* const end : {driver.get(), other.get()}) {
+      ASSERT_TRUE(end->send(1, randomCommand(1)));
+      if (heard) heard = robot->hear(RobotEnd::Clock::now() + std::chrono::milliseconds(20));
+    }
+  ASSERT_FALSE(heard);
+  EXPECT_TRUE(heard.error().message.starts_with("two drivers command the robot \"nao_1\": "));
+}
+
+TEST_F(OwnEndsTest, aRobotThatIsStartedAnewIsHeard) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    ASSERT_TRUE(tellAndHear(randomSenses(seed)));
+    robot.reset();
+    robot = openRobotEnd(*domain, "nao_1", test::nao()).value();
+  }
+  EXPECT_TRUE(tellAndHear(randomSenses(4)));
+}
+
 TEST_F(OwnEndsTest, aNameThatIsNoRobotsIsRefused) {
   for (const char* name : {"", "a b", "a.b", "a*"}) {
     EXPECT_EQ(openRobotEnd(*domain, name, test::nao()).error().code, ErrorCode::kInvalidRequest) << name;
