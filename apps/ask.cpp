@@ -102,6 +102,27 @@ bool hasModesOf(const PlanDocument& document, const Robot& robot) {
   return true;
 }
 
+/// Why the answer cannot be drawn into this map, with this robot; empty if it can.
+std::string refusalOf(const PlanDocument& reply, const Site& site) {
+  if (!hasModesOf(reply, *site.robot))
+    return "--svg: the server's robot \"" + reply.robot_name + "\" has other modes than robot \"" +
+           site.robot->name + "\"; give --robot the file that the server uses";
+  if (reply.map_name != site.world->name())
+    return "--svg: the server's map is \"" + reply.map_name + "\", not \"" + site.world->name() +
+           "\"; give --map the file that the server uses";
+  return {};
+}
+
+/// In what the picture is not of what the server has, though of one name; empty if it is.
+std::string differenceOf(const PlanDocument& reply, const Site& site) {
+  std::string what;
+  if (!reply.world_hash.empty() && reply.world_hash != site.world->hash()) what = "world";
+  if (!reply.robot_hash.empty() && reply.robot_hash != hashOf(*site.robot))
+    what += what.empty() ? "robot" : " and robot";
+  if (what.empty()) return {};
+  return "--svg: the server has another version of the " + what + " than the picture shows";
+}
+
 ExitCode run(const Arguments& arguments) {
   PlanDocument document = documentOf(arguments.query);
   const auto refuse = [&](const Error& error) {
@@ -117,12 +138,12 @@ ExitCode run(const Arguments& arguments) {
   const Expected<PlanDocument> reply = askServer(arguments);
   if (!reply) return refuse(reply.error());
   if (!site.world) return deliver(*reply, arguments.output, {});
-  if (!hasModesOf(*reply, *site.robot)) {
+  if (const std::string refusal = refusalOf(*reply, site); !refusal.empty()) {
     const ExitCode delivered = deliver(*reply, arguments.output, {});  // all but the picture
-    complain("--svg: the server's robot \"" + reply->robot_name + "\" has other modes than robot \"" +
-             site.robot->name + "\"; give --robot the file that the server uses");
+    complain(refusal);
     return delivered == ExitCode::kDone ? ExitCode::kInvalidInput : delivered;
   }
+  if (const std::string difference = differenceOf(*reply, site); !difference.empty()) complain(difference);
   return deliver(*reply, arguments.output, [&] {
     return drawSvg({*site.world, *site.robot, nullptr, &*reply});
   });

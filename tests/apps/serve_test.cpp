@@ -200,6 +200,25 @@ TEST_F(ServeChanging, AddsMovesAndRemovesObstacles) {
   EXPECT_NE(runProgram({"change", "--domain", testDomain()}).output.find("revision 4, "), std::string::npos);
 }
 
+TEST_F(ServeChanging, APictureIsNotDrawnIntoAnotherMap) {
+  const std::string picture = folder_.path("plan.svg");
+  const auto drawn = [&](const std::string& map) {
+    return ask({"--start", "0.6,2,0", "--goal", "5.4,2,0", "--svg", picture, "--map", map});
+  };
+  EXPECT_EQ(drawn(kMap).errors, "");
+  EXPECT_TRUE(std::filesystem::remove(picture));
+  const Outcome other = drawn(UNDERWAY_SOURCE_DIR "/maps/flat.yaml");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(says(other.errors, "the server's map is \"scenario3\", not \"flat\"")) << other.errors;
+  EXPECT_EQ(Json::parse(other.output)["status"], "ok");
+  EXPECT_FALSE(std::filesystem::exists(picture));
+  ASSERT_EQ(client("change", {"--add", "box=" + at_}).exit_code, 0);
+  const Outcome changed = drawn(kMap);
+  EXPECT_EQ(changed.exit_code, 0) << changed.errors;
+  EXPECT_TRUE(says(changed.errors, "another version of the world than the picture shows")) << changed.errors;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
 TEST_F(ServeChanging, RemovesAllThatOneRobotSaw) {
   ASSERT_EQ(client("change", {"--add", "nao.seen_1=" + at_, "--add", "nao_2.seen_1=" + at_}).exit_code, 0);
   const Outcome removed = client("change", {"--remove-all", "nao."});
