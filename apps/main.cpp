@@ -1,3 +1,5 @@
+#include <fcntl.h>
+
 #include <csignal>
 #include <exception>
 #include <new>
@@ -72,9 +74,17 @@ ExitCode runCommandLine(int argc, char** argv) {
   return ExitCode::kInvalidInput;
 }
 
+/// Standard streams that are closed: no file or socket may get their numbers, and be written to as if it were
+/// one of them. What is written there fails.
+void openClosedStreams() {
+  for (const int stream : {0, 1, 2})
+    if (fcntl(stream, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);  // the lowest number that is free
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  openClosedStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is told by the failing write
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that grows too large
   try {

@@ -31,7 +31,8 @@ class Descriptor {
   int number_;
 };
 
-pid_t start(const std::vector<std::string>& words, const Descriptor& output, const Descriptor& errors) {
+/// `output`: null for none.
+pid_t start(const std::vector<std::string>& words, const Descriptor* output, const Descriptor& errors) {
   std::vector<std::string> all{UNDERWAY_PROGRAM};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
@@ -40,7 +41,10 @@ pid_t start(const std::vector<std::string>& words, const Descriptor& output, con
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
+  if (output != nullptr)
+    posix_spawn_file_actions_adddup2(&actions, output->number(), STDOUT_FILENO);
+  else
+    posix_spawn_file_actions_addclose(&actions, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors.number(), STDERR_FILENO);
   pid_t child = 0;
   const int failed = posix_spawn(&child, UNDERWAY_PROGRAM, &actions, nullptr, arguments.data(), environ);
@@ -64,8 +68,16 @@ Outcome runProgram(const std::vector<std::string>& words) {
   const Folder folder;
   const std::string output = folder.path("output");
   const std::string errors = folder.path("errors");
-  const int exit_code = waitFor(start(words, Descriptor(openNew(output)), Descriptor(openNew(errors))));
+  const Descriptor into(openNew(output));
+  const int exit_code = waitFor(start(words, &into, Descriptor(openNew(errors))));
   return {exit_code, readAll(output), readAll(errors)};
+}
+
+Outcome runProgramWithoutOutput(const std::vector<std::string>& words) {
+  const Folder folder;
+  const std::string errors = folder.path("errors");
+  const int exit_code = waitFor(start(words, nullptr, Descriptor(openNew(errors))));
+  return {exit_code, "", readAll(errors)};
 }
 
 Server::Server(const std::vector<std::string>& words) {
@@ -75,7 +87,7 @@ Server::Server(const std::vector<std::string>& words) {
   {
     const Descriptor writing(ends[1]);  // closed at once: only the child's end keeps the pipe open
     const Descriptor errors(openNew(folder_.path("errors")));
-    child_ = start(words, writing, errors);
+    child_ = start(words, &writing, errors);
   }
   for (char c = 0; ::read(reading.number(), &c, 1) == 1 && c != '\n';) first_line_ += c;
 }

@@ -18,6 +18,9 @@ struct Outcome {
 /// Runs `underway` with these words, standard input closed, and waits for its end.
 [[nodiscard]] Outcome runProgram(const std::vector<std::string>& words);
 
+/// The same with standard output closed too.
+[[nodiscard]] Outcome runProgramWithoutOutput(const std::vector<std::string>& words);
+
 /// The number of a DDS domain of this test's own, as a word.
 [[nodiscard]] std::string testDomain();
 

@@ -105,6 +105,12 @@ TEST(Serve, TwoServersInADomainAreToldByTheSecondAndByThoseWhoAsk) {
   EXPECT_TRUE(isTold([] { return client("change", {}); }));
 }
 
+TEST(Serve, DoesNotTakeASocketForAStandardOutputThatIsClosed) {
+  const Outcome run = runProgramWithoutOutput(serveWords({"--prepare-ms", "0"}));
+  EXPECT_EQ(run.exit_code, 1) << run.errors;
+  EXPECT_TRUE(says(run.errors, "cannot write to standard output: Bad file descriptor")) << run.errors;
+}
+
 TEST(Serve, SavesWhatRequestsHaveMadeItGrow) {
   const Folder folder;
   const std::string file = folder.path("a.roadmap");
