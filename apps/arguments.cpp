@@ -92,8 +92,8 @@ Expected<std::uint64_t> parseWhole(const std::string& text, std::uint64_t least,
                                               std::to_string(least) + " to " + std::to_string(most));
 }
 
-/// The name of a file, if its folder can take one.
-Expected<std::string> mayBeWritten(const std::string& name) {
+/// The name of a file, if its folder can take one; "-" only where that is standard output.
+Expected<std::string> mayBeWritten(const std::string& name, bool may_be_output) {
   const std::filesystem::path file(name);
   const std::filesystem::path parent = file.parent_path();
   const std::filesystem::path folder = parent.empty() ? "." : parent;
@@ -102,6 +102,8 @@ Expected<std::string> mayBeWritten(const std::string& name) {
   };
   std::error_code error;
   if (name.empty()) return name;  // main says it of every option
+  if (name == "-" && may_be_output) return name;
+  if (name == "-") return refuse("this does not go to standard output; give a file");
   if (std::filesystem::is_directory(file, error)) return refuse("it is a folder; give a file in it");
   if (!std::filesystem::is_directory(folder, error))
     return refuse("there is no folder \"" + folder.string() + "\"; make it first");
@@ -256,7 +258,10 @@ void addOutput(CLI::App& command, OutputArguments& arguments) {
 
 CLI::Option* addOutputFile(CLI::App& command, const std::string& flag, std::string& file,
                            const std::string& shape, const std::string& help) {
-  return addParsed(command, flag, file, mayBeWritten, shape, help);
+  const auto parse = [may_be_output = shape.ends_with("|-")](const std::string& name) {
+    return mayBeWritten(name, may_be_output);
+  };
+  return addParsed(command, flag, file, parse, shape, help);
 }
 
 void addDomain(CLI::App& command, DomainSettings& domain) {

@@ -174,7 +174,8 @@ CLI::App& addCrawl(CLI::App& command, CrawlArguments& arguments) {
             "Turn by this in each push, to the left (0)");
   crawl.add_flag("--standing", arguments.is_from_standing,
                  "The table also goes down from standing before, and gets up after");
-  addOutputFile(crawl, "--out", arguments.out, "FILE", "The joint table; .csv, or .json as NAOqi takes it");
+  addOutputFile(crawl, "--out", arguments.out, "FILE|-",
+                "The joint table; .csv, or .json as NAOqi takes it; - for CSV on standard output");
   addOutputFile(crawl, "--plot", arguments.plot, "FILE.svg", "Draw the push and the cycles");
   addOutputFile(crawl, "--html", arguments.html, "FILE.html", "Animate the cycles, seen from the side");
   crawl.footer(kCrawlExamples);

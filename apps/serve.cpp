@@ -220,10 +220,8 @@ Subcommand addServeCommand(CLI::App& program) {
   addRoadmap(command, arguments->roadmap_file);
   addWhole(command, "--prepare-ms", arguments->prepare_ms, 0, kDay_ms,
            "Longest time for growing the roadmap at first (30000)");
-  command
-      .add_option("--ready-file", arguments->ready_file,
-                  "Write this file once it answers, and remove it when it ends")
-      ->type_name("FILE");
+  addOutputFile(command, "--ready-file", arguments->ready_file, "FILE",
+                "Write this file once it answers, and remove it when it ends");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }
