@@ -43,6 +43,28 @@ std::string emptyOption(const CLI::App& command) {
   return {};
 }
 
+/// "plan, ask, ... or bench".
+std::string listOf(const std::vector<Subcommand>& commands) {
+  std::string text;
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < commands.size() ? ", " : " or ") + commands[i].app->get_name();
+  return text;
+}
+
+/// What is wrong with the command line. A word that is not known goes first: what is missing may be meant by
+/// it.
+std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program,
+                       const std::vector<Subcommand>& commands) {
+  const int code = error.get_exit_code();
+  const bool may_be_misspelt = code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
+                               code == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const std::vector<std::string> unknown = program.remaining(true);
+  if (!may_be_misspelt || unknown.empty()) return error.what();
+  if (program.get_subcommands().empty() && !unknown.front().starts_with('-'))
+    return "\"" + unknown.front() + "\" is no command; give " + listOf(commands);
+  return "\"" + unknown.front() + "\" is not known; --help tells what is";
+}
+
 ExitCode runCommandLine(int argc, char** argv) {
   CLI::App program("Plans how a humanoid gets from here to there: walking, sidestepping, crawling.",
                    "underway");
@@ -59,7 +81,7 @@ ExitCode runCommandLine(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return help(program, error);
-    underway::complain(error.what());
+    underway::complain(sentenceOf(error, program, commands));
     return ExitCode::kInvalidInput;
   }
   if (const std::string flag = emptyOption(program); !flag.empty()) {
@@ -68,9 +90,7 @@ ExitCode runCommandLine(int argc, char** argv) {
   }
   for (const Subcommand& command : commands)
     if (command.app->parsed()) return command.run();
-  underway::complain(
-      "a command is missing; give plan, ask, change, serve, follow, sim, run, query, check or gait, or "
-      "--help");
+  underway::complain("a command is missing; give " + listOf(commands) + ", or --help");
   return ExitCode::kInvalidInput;
 }
 

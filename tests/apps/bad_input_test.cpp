@@ -164,7 +164,11 @@ TEST_P(BadFlag, IsRefusedInOneSentence) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadFlag,
     testing::Values(
-        FlagCase{"NoCommand", {}, "command"}, FlagCase{"UnknownCommand", {"fly"}, "fly"},
+        FlagCase{"NoCommand", {}, "a command is missing; give plan, ask, "},
+        FlagCase{"UnknownCommand", {"plann", "--map", "MAP"}, "\"plann\" is no command; give plan, ask, "},
+        FlagCase{"MisspeltFlag", {"plan", "--mpa", "MAP"}, "\"--mpa\" is not known"},
+        FlagCase{"UnknownFlagWithoutCommand", {"--fly"}, "\"--fly\" is not known"},
+        FlagCase{"MisspeltGaitCommand", {"gait", "crwl"}, "\"crwl\" is not known"},
         FlagCase{"UnknownFlag", planWords("MAP", {"--fly"}), "--fly"},
         FlagCase{"NoMap", {"plan", "--start", "0,0,0", "--goal", "1,1"}, "--map"},
         FlagCase{"NoStart", {"plan", "--map", "MAP", "--goal", "1,1"}, "--start"},
