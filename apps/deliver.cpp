@@ -52,7 +52,8 @@ void setRequest(const Request& request, const Robot& robot, PlanDocument& docume
 ExitCode deliver(const PlanDocument& document, const OutputArguments& output,
                  const std::function<std::string()>& draw) {
   const Expected<void> written = write(document, output, draw);
-  if (!document.answer) complain(document.answer.error().message);
+  const bool is_stale = !document.answer && document.answer.error().code == ErrorCode::kStaleRevision;
+  if (!document.answer && !(is_stale && output.json != "-")) complain(document.answer.error().message);
   if (!written) {
     complain(written.error().message);
     return ExitCode::kOther;

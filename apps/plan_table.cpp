@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/table.hpp"
+#include "apps/terminal.hpp"
 
 namespace underway {
 namespace {
@@ -90,7 +91,9 @@ std::string totalsOf(const PlanDocument& document, const Plan& plan) {
 }
 
 std::string describeFailure(const Error& error, bool with_colours) {
-  std::string text = "No plan: " + std::string(name(error.code)) + ".\n";
+  const bool is_stale = error.code == ErrorCode::kStaleRevision;  // none was asked for, but whether one holds
+  std::string text = is_stale ? "Stale: " + printable(error.message) + ".\n"
+                              : "No plan: " + std::string(name(error.code)) + ".\n";
   if (error.blocking.empty()) return text;
   constexpr auto kRight = Table::Align::kRight;
   Table table({{"in the way"}, {"mode"}, {"of"}, {"needs m", kRight}, {"has m", kRight}});

@@ -7,7 +7,8 @@
 namespace underway {
 
 /// The answer as a person reads it: of a plan one line a segment and the totals, of a failure its code and
-/// what is in the way (its sentence is not repeated here: it goes to standard error).
+/// what is in the way (its sentence is not repeated here: it goes to standard error). That a plan is stale is
+/// an answer too, and its sentence is here.
 [[nodiscard]] std::string describe(const PlanDocument& document, bool with_colours);
 
 /// "x,y,yaw" as --start takes it, rounded to 1 mm and 1 mrad.

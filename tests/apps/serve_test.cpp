@@ -253,6 +253,10 @@ TEST_F(ServeChanging, TellsWhetherAPlanMayStillBeFollowedAndReplans) {
   EXPECT_EQ(stale.exit_code, 3);
   EXPECT_EQ(Json::parse(stale.output)["status"], "stale_revision");
   EXPECT_TRUE(says(stale.errors, "blocked now by box")) << stale.errors;
+  const Outcome told = runProgram({"ask", "--domain", testDomain(), "--stale", plan_});
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_EQ(told.output.rfind("Stale: segment ", 0), 0U) << told.output;
+  EXPECT_EQ(told.errors, "");
   const Outcome fresh = ask({"--replan", plan_});
   ASSERT_EQ(fresh.exit_code, 0) << fresh.errors;
   EXPECT_EQ(Json::parse(fresh.output)["is_new"], true);
