@@ -24,8 +24,16 @@ struct Arguments {
   std::string robot;
 };
 
+/// That the plan is of another map altogether; empty if it is not.
+std::string otherMapOf(const PlanDocument& document, const Site& site) {
+  if (document.map_name == site.world->name()) return {};
+  return "The plan is of map " + printable(document.map_name) + ", not of " + printable(site.world->name()) +
+         ".\n";
+}
+
 /// What the plan was made for, where that is not what it is checked against; empty if it is.
 std::string stalenessOf(const PlanDocument& document, const Site& site) {
+  if (std::string other = otherMapOf(document, site); !other.empty()) return other;
   std::string what;
   if (document.world_hash != site.world->hash()) what = "map";
   if (document.robot_hash != hashOf(*site.robot)) what += what.empty() ? "robot" : " and robot";
@@ -57,13 +65,14 @@ Verdict certified(const FollowedPlan& plan, const Site& site) {
 
 /// Whether what is left of the plan may be followed in the map as it is, whatever it was made in.
 Expected<Verdict> staleness(const FollowedPlan& plan, const Site& site) {
+  const std::string other = otherMapOf(plan.document, site);
   const auto left = remaining(plan.executing, Checker(site.world, site.robot));
   if (left)
-    return Verdict{"It may be followed: " + std::to_string(left->segments.size()) + " segments are left, " +
-                       fixed(left->total_time_s, 1) + " s.\n",
+    return Verdict{other + "It may be followed: " + std::to_string(left->segments.size()) +
+                       " segments are left, " + fixed(left->total_time_s, 1) + " s.\n",
                    true};
   if (left.error().code != ErrorCode::kStaleRevision) return tl::unexpected(left.error());
-  return Verdict{"Stale: " + printable(left.error().message) + ".\n", false};
+  return Verdict{other + "Stale: " + printable(left.error().message) + ".\n", false};
 }
 
 Expected<Verdict> judge(const Arguments& arguments) {

@@ -216,6 +216,7 @@ TEST(Program, APlanIsJudgedInAWorldWhereItTurnsInsideAnObstacle) {
   const Outcome run = runProgram({"check", plan, "--map", UNDERWAY_SOURCE_DIR "/maps/scenario2a.yaml"});
   EXPECT_EQ(run.exit_code, 3) << run.errors;
   EXPECT_NE(run.output.find("Flawed: "), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.rfind("The plan is of map scenario3, not of scenario2a.\n", 0), 0U) << run.output;
 }
 
 TEST(Program, WithoutAServerAskEndsWithFour) {
