@@ -41,7 +41,7 @@ constexpr const char* kExamples =
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench local --quick --only pure\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
-    "  underway bench physics --plots out/bench/physics\n"
+    "  underway bench physics --only journeys --plots out/bench/physics\n"
     "  underway bench physics --only lines --quick\n"
     "  underway bench peers --peers ../shared/peers --maps2d ../shared/maps/maps2d";
 
@@ -219,7 +219,7 @@ Subcommand addBenchCommand(CLI::App& program) {
   addNumber(command, "--limit-s", arguments->limit_s, 0.001, 3600.0, "S", "planners: of each run (5)");
   command
       .add_option("--plots", arguments->plots,
-                  "planners: write OMPL's log, a table and pictures here; physics: pictures")
+                  "planners: write OMPL's log, a table and pictures here; physics: pictures of its journeys")
       ->type_name("DIR");
   command.add_option("--peers", arguments->peers, "peers: folder of their queries (CSV)")->type_name("DIR");
   command.add_option("--maps2d", arguments->maps2d, "peers, planner: folder of large grid maps")
