@@ -197,7 +197,6 @@ ExitCode run(const Arguments& arguments) {
   return deliverFigures(tableOf(*report), bench::toJson(*report), arguments.json);
 }
 
-/// Of all benchmarks that have parts.
 }  // namespace
 
 Subcommand addBenchCommand(CLI::App& program) {

@@ -120,7 +120,7 @@ void Window::visitOutlines(Point about, double reach_m, double sigma_m, const Vi
 
 /// Traps become virtual obstacles (Brooks 2017, 7.4): discs that shorten the beams that meet them, so that
 /// GODZILA keeps away from where it was trapped. A disc that the robot stands in is not there until it has
-/// left it. The oldest gives way to the newest; what is further than the window reaches is forgotten.
+/// left it. The oldest gives way to the newest; what is further than the window reaches counts for nothing.
 class VirtualObstacles {
  public:
   void add(Point at, double radius_m);
