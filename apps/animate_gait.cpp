@@ -71,7 +71,7 @@ body{font-family:sans-serif;margin:1.5em;color:#222}canvas{width:100%;border:1px
 input{width:60%;vertical-align:middle}button{font-size:1em;margin-right:1em}</style></head><body>
 <h2>TITLE</h2><canvas id="view" width="1400" height="480"></canvas>
 <p><button id="play">pause</button><input id="when" type="range" min="0" step="1"><span id="text"></span></p>
-<p>Seen from its left. The dot is the centre of mass; the lower line is the floor, the grid 100 mm.</p>
+<p>Seen from its left: the left limbs are blue, behind them the right ones are orange. The dot is the centre of mass; the lower line is the floor, the grid 100 mm.</p>
 <script>
 const motion = MOTION;
 const view = document.getElementById('view'), g = view.getContext('2d');
@@ -91,8 +91,9 @@ function draw(i) {
   for (let x = Math.ceil(left / 100) * 100; x < right; x += 100) stroke([[x, 0], [x, top_]], '#eee', 1);
   for (let z = 100; z < top_; z += 100) stroke([[left, z], [right, z]], '#eee', 1);
   stroke([[left, 0], [right, 0]], '#555', 2);
-  f.lines.forEach((line, k) => stroke(line, k == f.lines.length - 1 ? '#444' : k < 3 ? '#3b6fd4' : '#e8590c',
-                                      k == f.lines.length - 1 ? 9 : 5));
+  f.lines.slice(3, -1).forEach(line => stroke(line, '#e8590c', 8)); // the far side, wider: seen behind the near one
+  stroke(f.lines.at(-1), '#444', 9);
+  f.lines.slice(0, 3).forEach(line => stroke(line, '#3b6fd4', 4));
   g.fillStyle = '#444'; g.beginPath(); g.arc(X(f.head[0]), Z(f.head[1]), 61 * scale, 0, 7); g.fill();
   g.fillStyle = '#c2255c'; g.beginPath(); g.arc(X(f.mass[0]), Z(f.mass[1]), 5, 0, 7); g.fill();
   document.getElementById('text').textContent = ' ' + motion.times[i].toFixed(2) + ' s';

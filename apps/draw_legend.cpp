@@ -28,9 +28,13 @@ class Column {
   void key(std::string_view paint, std::string_view what, std::string_view numbers = {}) {
     text_ += "<rect x=\"" + svgNumber(at_.x) + "\" y=\"" + svgNumber(at_.y - 11.0) +
              "\" width=\"22\" height=\"13\" " + std::string(paint) + "/>\n";
-    text_ += svgLabel({at_.x + 32.0, at_.y}, what, kSmall);
-    if (!numbers.empty()) text_ += svgLabel({at_.x + width_px_, at_.y}, numbers, kRight);
-    at_.y += kLine_px;
+    name(what, numbers);
+  }
+  /// The same with a sample of a thin line.
+  void lineKey(std::string_view stroke, std::string_view what, std::string_view numbers = {}) {
+    text_ += "<path d=\"M" + svgNumber(at_.x) + " " + svgNumber(at_.y - 1.0) + "l22 -7\" " +
+             std::string(stroke) + "/>\n";
+    name(what, numbers);
   }
   void gap() { at_.y += kLine_px / 2.0; }
   /// Broken between words; a picture has no room for more than twelve lines.
@@ -46,6 +50,12 @@ class Column {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  void name(std::string_view what, std::string_view numbers) {
+    text_ += svgLabel({at_.x + 32.0, at_.y}, what, kSmall);
+    if (!numbers.empty()) text_ += svgLabel({at_.x + width_px_, at_.y}, numbers, kRight);
+    at_.y += kLine_px;
+  }
+
   Point at_;
   double width_px_;
   std::string text_;
@@ -130,9 +140,9 @@ std::string drawLegend(const Picture& picture, Point at_px, double width_px) {
   }
   writeObstacles(column, picture.world, picture.robot);
   if (picture.roadmap != nullptr) {
-    column.key("fill=\"#fff\" stroke=\"#c3cbd4\"", "roadmap",
-               std::to_string(picture.roadmap->node_count) + " nodes, " +
-                   std::to_string(picture.roadmap->edge_count) + " edges");
+    column.lineKey("stroke=\"#8d99a6\" stroke-width=\"1\"", "roadmap",
+                   std::to_string(picture.roadmap->node_count) + " nodes, " +
+                       std::to_string(picture.roadmap->edge_count) + " edges");
   }
   return column.text();
 }
