@@ -62,9 +62,9 @@ struct Scan {
   Beams beams;
   std::vector<float> ranges_m;  ///< as many as beams.count
 
-  /// The middle one of the ranges of the beam nearest to a bearing and of its two neighbours [m]; 0 where one
-  /// of them does not look.
-  [[nodiscard]] float middleNear(double bearing_rad) const {
+  /// The least range of the beam nearest to a bearing and of its two neighbours [m]; 0 where one of them does
+  /// not look.
+  [[nodiscard]] float leastNear(double bearing_rad) const {
     const double beam = std::round((bearing_rad - beams.first_rad) / beams.step_rad);
     if (!(beam >= 1.0 && beam + 1.0 < static_cast<double>(beams.count))) return 0.0F;
     const auto i = static_cast<std::size_t>(beam);
@@ -72,7 +72,7 @@ struct Scan {
     const float at = ranges_m[i];
     const float after = ranges_m[i + 1];
     if (before == kNotLooked || at == kNotLooked || after == kNotLooked) return 0.0F;
-    return std::max(std::min(before, at), std::min(std::max(before, at), after));
+    return std::min({before, at, after});
   }
 };
 

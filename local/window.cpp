@@ -80,7 +80,7 @@ void Window::takeBack(const Scan& scan, const Pose& from, double far_m) {
   const auto is_passed = [&](std::size_t i) {
     const Point at = seen(meanOf(i, grid_.placeAt(i)));
     const double range_m = std::sqrt(at.x * at.x + at.y * at.y);
-    return range_m < far_m && scan.middleNear(std::atan2(at.y, at.x)) > range_m + kShort_m;
+    return range_m < far_m && scan.leastNear(std::atan2(at.y, at.x)) > range_m + kShort_m;
   };
   for (std::size_t word = half_; word < may_have_hits_.size(); word += 2)
     for (std::uint64_t left = may_have_hits_[word]; left != 0; left &= left - 1) {

@@ -30,10 +30,10 @@ class Window {
   /// Something was seen at a point; outside the window it is passed over.
   void hit(Point at);
   /// Nothing stands where the beams of a scan pass, which was taken from a pose. What was seen nearer than
-  /// `far_m`, by its mean, is seen once less where two of the three beams nearest to that end more than
-  /// kShort_m behind it. Each call looks at half of the cells, and the next at the other half.
+  /// `far_m`, by its mean, is seen once less where the three beams nearest to that end more than kShort_m
+  /// behind it. Each call looks at half of the cells, and the next at the other half.
   void takeBack(const Scan& scan, const Pose& from, double far_m);
-  static constexpr double kShort_m = 0.01;
+  static constexpr double kShort_m = 0.02;
   /// Whether something stands in the cell of a point.
   [[nodiscard]] bool isOccupied(Point at) const;
   /// From now on the occupied cells are known: whoever plans has been told of them.
