@@ -7,15 +7,6 @@
 #include "local/low.hpp"
 
 namespace underway {
-namespace {
-
-/// The same angle, from 0 to a whole turn.
-double normalizedAngleUp(double angle_rad) {
-  const double normal = normalizedAngle(angle_rad);
-  return normal < 0.0 ? normal + 2.0 * std::numbers::pi : normal;
-}
-
-}  // namespace
 
 Executor::Executor(std::shared_ptr<const Robot> robot, const ExecutorSettings& settings)
     : robot_(std::move(robot)),
@@ -224,8 +215,8 @@ double Executor::turnToLook() {
   const double margin_m = robot_->margin_m;
   const bool is_free = checker_->isFree(stay(motion.mode, here), margin_m);
   const TurningRoom room = is_free ? checker_->turningRoom(motion.mode, here, margin_m) : TurningRoom{};
-  const double to_left = normalizedAngleUp(*unseen) + Beams{}.first_rad + kBeyond_rad;
-  const double to_right = normalizedAngleUp(-*unseen) + Beams{}.first_rad + kBeyond_rad;
+  const double to_left = counterClockwise(0.0, *unseen) + Beams{}.first_rad + kBeyond_rad;
+  const double to_right = counterClockwise(0.0, -*unseen) + Beams{}.first_rad + kBeyond_rad;
   const bool has_left = to_left < room.left_rad;
   const bool has_right = to_right < room.right_rad;
   if (look_sense_ > 0.0 ? has_left : has_right && look_sense_ < 0.0) return look_sense_;
