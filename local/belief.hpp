@@ -32,7 +32,7 @@ class Belief {
   /// along the body is passed over: the belief is told of strokes when they have ended.
   void correct(const Senses& senses, bool is_lying = false);
   /// Fixes are counted anew.
-  void countAnew() { fixes_ = 0; }
+  void countAnew() { fixes_ = 0, weight_ = 1.0; }
   /// It may have been carried elsewhere: the next fix is believed whole.
   void doubt();
 
