@@ -40,6 +40,7 @@ constexpr const char* kExamples =
     "  underway bench geometry --grid office.pgm --resolution-m 0.05\n"
     "  underway bench planner --maps2d ../shared/maps/maps2d --only cost\n"
     "  underway bench local --quick --only pure\n"
+    "  underway bench local --only unmapped --map maps/flat.yaml --seed 3 --seeds 1\n"
     "  underway bench planners --map maps/scenario3.yaml --plots out/bench/planners\n"
     "  underway bench physics --only journeys --plots out/bench/physics\n"
     "  underway bench physics --only lines --quick\n"
@@ -60,6 +61,8 @@ struct Arguments {
   std::string maps2d;
   std::string only;
   double own_s = 0.0;
+  std::uint64_t seed = 1;
+  std::uint64_t seeds = 0;
 };
 
 /// Which options are for which benchmarks: what is given to another would be passed over in silence.
@@ -82,13 +85,15 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
       {"--quick", arguments.quick, {"geometry", "local", "peers", "physics", "planner", "planners"}},
       {"--grid", !arguments.grid.empty(), {"geometry"}},
       {"--resolution-m", arguments.map.options.resolution_m.has_value(), {"geometry", "planners"}},
-      {"--map", !arguments.map.file.empty(), {"planners"}},
+      {"--map", !arguments.map.file.empty(), {"local", "planners"}},
       {"--queries", !arguments.queries.empty(), {"planners"}},
       {"--plots", !arguments.plots.empty(), {"physics", "planners"}},
       {"--peers", !arguments.peers.empty(), {"peers"}},
       {"--maps2d", !arguments.maps2d.empty(), {"peers", "planner"}},
       {"--only", !arguments.only.empty(), {"local", "physics", "planner"}},
       {"--own-s", arguments.own_s > 0.0, {"planner"}},
+      {"--seed", arguments.seed != 1, {"local"}},
+      {"--seeds", arguments.seeds > 0, {"local"}},
   };
   for (const Belongs& option : options)
     if (option.is_given && std::find(option.benchmarks.begin(), option.benchmarks.end(), arguments.name) ==
@@ -177,7 +182,10 @@ Expected<bench::Report> measure(const Arguments& arguments) {
   if (arguments.name == "gait") return bench::gait(*data, progress);
   if (arguments.name == "physics")
     return bench::physics({*data, arguments.quick, arguments.plots, arguments.only}, progress);
-  if (arguments.name == "local") return bench::local({*data, arguments.quick, arguments.only}, progress);
+  if (arguments.name == "local")
+    return bench::local(
+        {*data, arguments.quick, arguments.only, arguments.map.file, arguments.seed, arguments.seeds},
+        progress, [&](const std::string& amiss) { bar.say(amiss); });
   if (arguments.name == "planner")
     return bench::planner({*data, arguments.maps2d, arguments.quick, arguments.own_s, arguments.only},
                           progress);
@@ -228,6 +236,9 @@ Subcommand addBenchCommand(CLI::App& program) {
               CLI::IsMember(partsOf("physics")));
   addNumber(command, "--own-s", arguments->own_s, 0.0, 86400.0, "S",
             "planner: help the oracle with the planner's own best after S seconds (0: not)");
+  addWhole(command, "--seed", arguments->seed, "local: the first seed (1)");
+  addWhole(command, "--seeds", arguments->seeds, 1, 1'000'000,
+           "local: how many; else as many as is asked for");
   command.footer(kExamples);
   return {&command, [arguments] { return run(*arguments); }};
 }

@@ -26,9 +26,18 @@ bool wantsColour() { return isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR"
 ProgressBar::ProgressBar(std::string what)
     : what_(std::move(what)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { erase(); }
+
+void ProgressBar::erase() {
   constexpr std::string_view kBackToStartAndErase = "\r\x1b[K";
   if (shown_percent_ >= 0) std::fwrite(kBackToStartAndErase.data(), 1, kBackToStartAndErase.size(), stderr);
+  shown_percent_ = -1;
+}
+
+void ProgressBar::say(std::string_view sentence) {
+  erase();
+  const std::string line = printable(sentence) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 void ProgressBar::show(double share) {

@@ -25,8 +25,12 @@ class ProgressBar {
 
   /// Share that is done, 0..1. Called by one thread at a time.
   void show(double share);
+  /// A line on standard error, above the bar.
+  void say(std::string_view sentence);
 
  private:
+  void erase();
+
   std::string what_;
   bool is_terminal_;
   int shown_percent_ = -1;

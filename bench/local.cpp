@@ -33,6 +33,14 @@ void Collisions::addRows(const std::string& what, Report& report) const {
   add("the judges disagree", disputed);
 }
 
+std::vector<std::filesystem::path> LocalBench::maps(std::span<const char* const> names) const {
+  if (!options.map.empty()) return {options.map};
+  std::vector<std::filesystem::path> files;
+  files.reserve(names.size());
+  for (const char* name : names) files.push_back(options.data / "maps" / (std::string(name) + ".yaml"));
+  return files;
+}
+
 std::vector<std::string> localParts() {
   std::vector<std::string> names;
   names.reserve(kParts.size());
@@ -40,10 +48,11 @@ std::vector<std::string> localParts() {
   return names;
 }
 
-Expected<Report> local(const LocalOptions& options, const std::function<void(double)>& progress) {
+Expected<Report> local(const LocalOptions& options, const std::function<void(double)>& progress,
+                       const std::function<void(const std::string&)>& tell) {
   auto robot = readRobot(options.data / "robots" / "nao.yaml");
   if (!robot) return tl::unexpected(robot.error());
-  const LocalBench bench{options, std::make_shared<const Robot>(std::move(*robot)), progress};
+  const LocalBench bench{options, std::make_shared<const Robot>(std::move(*robot)), progress, tell};
   Report report{"local", {}};
   bool is_known = options.only.empty();
   for (const Part& part : kParts) {

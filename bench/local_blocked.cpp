@@ -85,8 +85,8 @@ void drive(const Course& course, const std::shared_ptr<const Robot>& robot, Remo
   plans.forget();
 }
 
-Expected<void> driveMap(const LocalBench& bench, const std::string& map, unsigned long seeds, Times& times) {
-  const auto courses = coursesOf(bench.options.data / "maps" / (map + ".yaml"), *bench.robot);
+Expected<void> driveMap(const LocalBench& bench, const std::filesystem::path& map, Times& times) {
+  const auto courses = coursesOf(map, *bench.robot);
   if (!courses) return tl::unexpected(courses.error());
   const auto domain = Domain::open({.tag = "underway-bench-" + std::to_string(getpid())});
   if (!domain) return tl::unexpected(domain.error());
@@ -94,7 +94,7 @@ Expected<void> driveMap(const LocalBench& bench, const std::string& map, unsigne
   if (!served) return tl::unexpected(served.error());
   auto plans = RemotePlans::open(*domain, kName, courses->front().map, bench.robot);
   if (!plans) return tl::unexpected(plans.error());
-  for (unsigned long seed = 1; seed <= seeds; ++seed) {
+  for (const unsigned long seed : bench.seeds(40)) {
     const Course& course = (*courses)[seed % courses->size()];
     const auto plan = served->planner->findPlan(course.request, Clock::now() + std::chrono::seconds(5));
     if (!plan) continue;
@@ -134,16 +134,16 @@ void addAll(const Times& times, Report& report) {
 }  // namespace
 
 Expected<void> addBlocked(const LocalBench& bench, Report& report) {
-  const unsigned long seeds = bench.seeds(40);
+  const auto maps = bench.maps(kMaps);
   Times all;
-  for (std::size_t i = 0; i < kMaps.size(); ++i) {
+  for (std::size_t i = 0; i < maps.size(); ++i) {
     Times times;
-    if (const auto driven = driveMap(bench, kMaps.at(i), seeds, times); !driven) return driven;
-    addMap(kMaps.at(i), times, report);
+    if (const auto driven = driveMap(bench, maps[i], times); !driven) return driven;
+    addMap(maps[i].stem().string(), times, report);
     all.ms.insert(all.ms.end(), times.ms.begin(), times.ms.end());
     all.ticks.insert(all.ticks.end(), times.ticks.begin(), times.ticks.end());
     all.refused += times.refused;
-    bench.progress(static_cast<double>(i + 1) / kMaps.size());
+    bench.progress(static_cast<double>(i + 1) / static_cast<double>(maps.size()));
   }
   if (all.ms.empty())
     return fail(ErrorCode::kInternal, "no robot was ever blocked: there is nothing to measure");

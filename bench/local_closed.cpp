@@ -19,7 +19,21 @@ struct Count {
   Collisions collisions;
 };
 
-void count(const LoopRun& run, Count& so_far) {
+/// What went otherwise than it should, in words; empty if nothing did.
+std::string amissIn(const LoopRun& run) {
+  if (run.is_disputed) return "the judges disagree whether it touched anything";
+  if (run.has_collided) return run.why;
+  if (run.has_arrived || run.no_way == NoWay::kProven) return "";
+  if (run.no_way == NoWay::kNotFound) return "no way, which is not proven: " + run.why;
+  if (run.no_way == NoWay::kFalse) return "no way, wrongly: " + run.why;
+  const std::string off = std::to_string(std::lround(1000.0 * run.off_m)) + " mm from the goal";
+  return run.why.empty() ? off : off + ": " + run.why;
+}
+
+void count(const LocalBench& bench, const std::string& course, unsigned long seed, const LoopRun& run,
+           Count& so_far) {
+  if (const std::string amiss = amissIn(run); !amiss.empty())
+    bench.tell(course + ", seed " + std::to_string(seed) + ": " + amiss);
   ++so_far.runs;
   so_far.arrived += run.has_arrived ? 1 : 0;
   so_far.proven += run.no_way == NoWay::kProven ? 1 : 0;
@@ -65,8 +79,8 @@ std::unique_ptr<Planner> plannerFor(const Course& course, const std::shared_ptr<
 
 Expected<std::vector<std::vector<Course>>> allCourses(const LocalBench& bench) {
   std::vector<std::vector<Course>> all;
-  for (const char* map : kMaps) {
-    auto courses = coursesOf(bench.options.data / "maps" / (std::string(map) + ".yaml"), *bench.robot);
+  for (const auto& map : bench.maps(kMaps)) {
+    auto courses = coursesOf(map, *bench.robot);
     if (!courses) return tl::unexpected(courses.error());
     all.push_back(std::move(*courses));
   }
@@ -74,16 +88,17 @@ Expected<std::vector<std::vector<Course>>> allCourses(const LocalBench& bench) {
 }
 
 /// So many seeds in each map, its queries in turn.
-Count drivePlans(const LocalBench& bench, const std::vector<std::vector<Course>>& maps, double noise,
-                 unsigned long seeds) {
+Count drivePlans(const LocalBench& bench, const std::vector<std::vector<Course>>& maps, double noise) {
+  const auto seeds = bench.seeds(1000);
   Count so_far;
   for (const auto& courses : maps) {
     auto planner = plannerFor(courses.front(), bench.robot);
-    for (unsigned long seed = 1; seed <= seeds; ++seed) {
+    for (const unsigned long seed : seeds) {
       const Course& course = courses[seed % courses.size()];
-      count(driveCourse(course, planner, bench.robot, settingsFor(noise), sim::Flaws{}.times(noise), seed),
-            so_far);
-      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds * maps.size()));
+      const auto run =
+          driveCourse(course, planner, bench.robot, settingsFor(noise), sim::Flaws{}.times(noise), seed);
+      count(bench, course.name, seed, run, so_far);
+      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size() * maps.size()));
     }
   }
   return so_far;
@@ -92,16 +107,18 @@ Count drivePlans(const LocalBench& bench, const std::vector<std::vector<Course>>
 using Unmapped = Course (*)(const Course&, const Plan&, const std::shared_ptr<const Robot>&, std::uint64_t);
 
 Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Course>>& maps,
-                    const std::shared_ptr<const Robot>& robot, Unmapped unmapped, unsigned long seeds) {
+                    const std::shared_ptr<const Robot>& robot, Unmapped unmapped) {
+  const auto seeds = bench.seeds(100);
   Count so_far;
   for (const auto& courses : maps)
-    for (unsigned long seed = 1; seed <= seeds; ++seed) {
+    for (const unsigned long seed : seeds) {
       const Course& course = courses[seed % courses.size()];
       auto planner = plannerFor(course, robot);
       const auto plan = planner->findPlan(course.request, Planner::Clock::now() + std::chrono::seconds(5));
       if (!plan) continue;
-      count(driveCourse(unmapped(course, *plan, robot, seed), planner, robot, {}, {}, seed), so_far);
-      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds * maps.size()));
+      const auto run = driveCourse(unmapped(course, *plan, robot, seed), planner, robot, {}, {}, seed);
+      count(bench, course.name, seed, run, so_far);
+      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size() * maps.size()));
     }
   return so_far;
 }
@@ -110,23 +127,28 @@ Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Cours
 void addPapersTrigger(const LocalBench& bench, const Course& course, Report& report) {
   auto planner = plannerFor(course, bench.robot);
   ExecutorSettings settings;
-  settings.crawl = papersTrigger();
-  Count so_far;
-  const unsigned long seeds = bench.seeds(100);
-  for (unsigned long seed = 1; seed <= seeds; ++seed)
-    count(driveCourse(course, planner, bench.robot, settings, {}, seed), so_far);
-  const double percent = 100.0 * static_cast<double>(so_far.arrived) / static_cast<double>(seeds);
-  report.rows.push_back(
-      {"the same by the papers' fixed number of cycles: arrive", percent, "%", "", {}, 1, seeds, {}, {}});
-  report.rows.push_back({"the same by the papers' fixed number of cycles: collide",
-                         static_cast<double>(so_far.collisions.collided),
-                         "runs",
-                         "",
-                         {},
-                         1,
-                         seeds,
-                         {},
-                         {}});
+  settings.crawl.papers = PapersTrigger{};
+  unsigned long arrived = 0;
+  unsigned long collided = 0;
+  const auto seeds = bench.seeds(100);
+  for (const unsigned long seed : seeds) {
+    const auto run = driveCourse(course, planner, bench.robot, settings, {}, seed);
+    arrived += run.has_arrived ? 1 : 0;
+    collided += run.has_collided ? 1 : 0;
+  }
+  const auto add = [&](const std::string& does, double value, const char* unit) {
+    report.rows.push_back({"the same by the papers' own trigger: " + does,
+                           value,
+                           unit,
+                           "",
+                           {},
+                           seeds.front(),
+                           seeds.size(),
+                           {},
+                           {}});
+  };
+  add("arrive", 100.0 * static_cast<double>(arrived) / static_cast<double>(seeds.size()), "%");
+  add("collide", static_cast<double>(collided), "runs");
 }
 
 }  // namespace
@@ -134,20 +156,18 @@ void addPapersTrigger(const LocalBench& bench, const Course& course, Report& rep
 Expected<void> addPlans(const LocalBench& bench, Report& report) {
   const auto maps = allCourses(bench);
   if (!maps) return tl::unexpected(maps.error());
-  const unsigned long seeds = bench.seeds(1000);
-  addRows("plans in eight maps", "arrive", drivePlans(bench, *maps, 1.0, seeds), 99.5, report);
-  addRows("plans in eight maps, all noise doubled", "arrive", drivePlans(bench, *maps, 2.0, seeds), 95,
-          report);
+  const std::string what = bench.options.map.empty() ? "plans in eight maps" : "plans";
+  addRows(what, "arrive", drivePlans(bench, *maps, 1.0), 99.5, report);
+  addRows(what + ", all noise doubled", "arrive", drivePlans(bench, *maps, 2.0), 95, report);
   return {};
 }
 
 Expected<void> addUnmapped(const LocalBench& bench, Report& report) {
   const auto maps = allCourses(bench);
   if (!maps) return tl::unexpected(maps.error());
-  const unsigned long seeds = bench.seeds(100);
   const auto add = [&](const std::string& what, const std::shared_ptr<const Robot>& robot, Unmapped unmapped,
                        double least_percent) {
-    const Count count = driveUnmapped(bench, *maps, robot, unmapped, seeds);
+    const Count count = driveUnmapped(bench, *maps, robot, unmapped);
     addRows(what, "arrive or report truly blocked", count, least_percent, report);
     addBlocked(what, count, report);
   };
@@ -159,17 +179,18 @@ Expected<void> addUnmapped(const LocalBench& bench, Report& report) {
 }
 
 Expected<void> addTight(const LocalBench& bench, Report& report) {
-  const unsigned long seeds = bench.seeds(100);
+  const auto seeds = bench.seeds(100);
   for (std::size_t mode = 0; mode < bench.robot->modes.size(); ++mode) {
     const auto course = narrowCourse(*bench.robot, static_cast<ModeId>(mode));
     if (!course) return tl::unexpected(course.error());
     auto planner = plannerFor(*course, bench.robot);
     Count so_far;
-    for (unsigned long seed = 1; seed <= seeds; ++seed) {
-      count(driveCourse(*course, planner, bench.robot, {}, {}, seed), so_far);
-      bench.progress(static_cast<double>(seed) / static_cast<double>(seeds));
+    const std::string what = "gap of " + course->name + " body and 6 cm";
+    for (const unsigned long seed : seeds) {
+      count(bench, what, seed, driveCourse(*course, planner, bench.robot, {}, {}, seed), so_far);
+      bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size()));
     }
-    addRows("gap of " + course->name + " body and 6 cm", "arrive", so_far, 98, report);
+    addRows(what, "arrive", so_far, 98, report);
     if (mode + 1 == bench.robot->modes.size()) addPapersTrigger(bench, *course, report);
   }
   return {};

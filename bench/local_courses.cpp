@@ -106,6 +106,9 @@ Expected<std::vector<Course>> coursesOf(const std::filesystem::path& file, const
   for (const Query& query : map->queries)
     if (query.expect == "ok")
       courses.push_back({world->name() + ", " + query.name, world, world, requestOf(query, robot)});
+  if (courses.empty())
+    return fail(ErrorCode::kInvalidRequest,
+                file.string() + " has no query that expects 'ok': nothing to drive");
   return courses;
 }
 

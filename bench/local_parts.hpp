@@ -2,6 +2,9 @@
 
 #include <functional>
 #include <memory>
+#include <ranges>
+#include <span>
+#include <vector>
 
 #include "bench/local.hpp"
 #include "geometry/robot.hpp"
@@ -14,9 +17,15 @@ struct LocalBench {
   const LocalOptions& options;
   std::shared_ptr<const Robot> robot;  ///< NAO with its lidar at the waist
   std::function<void(double)> progress;
+  std::function<void(const std::string&)> tell;
 
-  /// As many seeds as the figure asks for, or a small share of them.
-  [[nodiscard]] unsigned long seeds(unsigned long all) const { return options.quick ? (all + 19) / 20 : all; }
+  /// As many seeds as a figure asks for, or a small share of them, or as many as the user does.
+  [[nodiscard]] auto seeds(unsigned long asked) const {
+    const unsigned long share = options.quick ? (asked + 19) / 20 : asked;
+    return std::views::iota(options.seed, options.seed + (options.seeds > 0 ? options.seeds : share));
+  }
+  /// The files of these maps, or the one the user asks for.
+  [[nodiscard]] std::vector<std::filesystem::path> maps(std::span<const char* const> names) const;
 };
 
 /// In how many of some runs the robot collides, by the word of either of its judges, and in how many the two

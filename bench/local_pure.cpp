@@ -18,14 +18,15 @@ struct Count {
 using RoomOf = std::function<PureRoom(std::uint64_t)>;
 
 Count countOf(const LocalBench& bench, const RoomOf& room, const PureSettings& settings,
-              unsigned long seeds) {
+              unsigned long asked) {
   Count count;
-  for (unsigned long seed = 1; seed <= seeds; ++seed) {
+  const auto seeds = bench.seeds(asked);
+  for (const unsigned long seed : seeds) {
     const PureRun run = drivePurely(room(seed), bench.robot, settings, seed, kLimit_s);
     count.arrived += run.has_arrived ? 1 : 0;
     count.collisions.count(run.has_collided, run.is_disputed);
     count.times_s.push_back(run.time_s);
-    bench.progress(static_cast<double>(seed) / static_cast<double>(seeds));
+    bench.progress(static_cast<double>(count.times_s.size()) / static_cast<double>(seeds.size()));
   }
   return count;
 }
@@ -50,25 +51,25 @@ Expected<PureRoom> arena(const LocalBench& bench, const std::string& name) {
 }  // namespace
 
 Expected<void> addPure(const LocalBench& bench, Report& report) {
-  const unsigned long seeds = bench.seeds(100);
+  constexpr unsigned long kSeeds = 100;
   for (const std::string name : {"arena_open", "arena_gap", "arena_corridor"}) {
     const auto room = arena(bench, name);
     if (!room) return tl::unexpected(room.error());
     addRows(name + ", GODZILA alone",
             countOf(
-                bench, [&](std::uint64_t) { return *room; }, {}, seeds),
+                bench, [&](std::uint64_t) { return *room; }, {}, kSeeds),
             100, report);
   }
-  addRows("random 73 cm gaps, with escape", countOf(bench, randomGap, {}, seeds), 95, report);
+  addRows("random 73 cm gaps, with escape", countOf(bench, randomGap, {}, kSeeds), 95, report);
   PureSettings keeping;
   keeping.keeps_traps = true;
-  addRows("a wall squarely in front, traps kept", countOf(bench, wallInFront, keeping, seeds), 90, report);
-  addRows("a U, traps kept", countOf(bench, uInFront, keeping, seeds), 90, report);
+  addRows("a wall squarely in front, traps kept", countOf(bench, wallInFront, keeping, kSeeds), 90, report);
+  addRows("a U, traps kept", countOf(bench, uInFront, keeping, kSeeds), 90, report);
   PureSettings paper;
   paper.godzila = table7();
   addRows("arena_gap, with Table 7's values",
           countOf(
-              bench, [&](std::uint64_t) { return *arena(bench, "arena_gap"); }, paper, bench.seeds(20)),
+              bench, [&](std::uint64_t) { return *arena(bench, "arena_gap"); }, paper, 20),
           0, report);
   return {};
 }

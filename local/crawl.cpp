@@ -12,12 +12,6 @@ constexpr double kKept = 0.75;  // of the clearance, where it goes down turned
 
 }  // namespace
 
-CrawlSettings papersTrigger() {
-  CrawlSettings settings;
-  settings.fixed = FixedCycles{};
-  return settings;
-}
-
 Passage passageFrom(const Plan& plan, const Robot& robot, std::size_t down) {
   Passage passage{down, 0.0, kClearanceCap_m, 0.0, 0.0};
   for (std::size_t i = down; i < plan.segments.size(); ++i) {
@@ -54,6 +48,14 @@ bool hasRoomUp(const Checker& checker, const Switch& up, const Pose& at, double 
   const Motion back = translate(up.from, Sense::kBackward, at, unsure_m);
   const Motion on = translate(up.from, Sense::kForward, at, unsure_m);
   return checker.isFree(switchModes(up, back.to), margin) && checker.isFree(switchModes(up, on.to), margin);
+}
+
+bool isNearLow(const Checker& checker, ModeId standing, ModeId low, const Pose& at, double nearer_m) {
+  const Robot& robot = checker.robot();
+  const double low_m =  // as far as the lower body's front, from where it would be
+      std::max(nearer_m + robot.modes[standing].body_m.x.max - robot.modes[low].body_m.x.max, 0.0);
+  return !checker.isFree(translate(standing, Sense::kForward, at, nearer_m), 0.0) &&
+         checker.isFree(translate(low, Sense::kForward, at, low_m), 0.0);
 }
 
 double unsureAfter(int cycles, const CrawlSettings& settings) {

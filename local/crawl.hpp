@@ -8,26 +8,27 @@
 
 namespace underway {
 
-/// The papers' own way (Brooks 2015 and 2017), as far as a plan leaves it open: before the low obstacle it
-/// goes down as it stands, crawls a fixed number of cycles, and gets up where it is then.
-struct FixedCycles {
+/// The papers' own trigger (Brooks 2015, Fig. 7; Brooks 2017, chapter 5): closer than a threshold to the low
+/// obstacle it goes down as it stands, crawls a set number of cycles, and gets up where it is then. Neither
+/// number is in the papers: the threshold is what NAO's way down reaches ahead and 5 cm, the cycles bring it
+/// under a table.
+struct PapersTrigger {
+  double threshold_m = 0.6;  ///< from the standing body to what it does not fit under, straight ahead [m]
   int cycles = 25;
 };
 
 struct CrawlSettings {
-  double stroke_m = 0.0777;          ///< of a cycle that does not slip (Brooks 2017, chapter 4) [m]
-  double kept = 0.87;                ///< the share of it that the real robot kept (610 mm in 9 cycles)
-  double kept_sigma = 0.05;          ///< of each cycle's share
-  bool keeps_heading = false;        ///< steers against the drift of its heading by itself
-  double fix_sigma_m = 0.01;         ///< of its position when it goes down [m]
-  double sigmas = 3.0;               ///< how sure it is of room before it gets up
-  double longest_extra_m = 0.6;      ///< how far beyond the planned end it looks for room to get up [m]
-  double stall_s = 10.0;             ///< a cycle that takes longer does not progress [s]
-  int aligned_ticks = 10;            ///< in a row, before it goes down
-  std::optional<FixedCycles> fixed;  ///< instead of all that; to compare with
+  double stroke_m = 0.0777;             ///< of a cycle that does not slip (Brooks 2017, chapter 4) [m]
+  double kept = 0.87;                   ///< the share of it that the real robot kept (610 mm in 9 cycles)
+  double kept_sigma = 0.05;             ///< of each cycle's share
+  bool keeps_heading = false;           ///< steers against the drift of its heading by itself
+  double fix_sigma_m = 0.01;            ///< of its position when it goes down [m]
+  double sigmas = 3.0;                  ///< how sure it is of room before it gets up
+  double longest_extra_m = 0.6;         ///< how far beyond the planned end it looks for room to get up [m]
+  double stall_s = 10.0;                ///< a cycle that takes longer does not progress [s]
+  int aligned_ticks = 10;               ///< in a row, before it goes down
+  std::optional<PapersTrigger> papers;  ///< instead of all that; to compare with
 };
-/// The papers' trigger, for comparison.
-[[nodiscard]] CrawlSettings papersTrigger();
 
 /// A plan's low passage: from the switch down to the switch up, or to the end of the plan.
 struct Passage {
@@ -49,6 +50,11 @@ struct Passage {
 /// Whether the standing body is free where the crawling robot may be: `at`, further back and further on by
 /// `unsure_m`, as the map says.
 [[nodiscard]] bool hasRoomUp(const Checker& checker, const Switch& up, const Pose& at, double unsure_m);
+
+/// Whether something is closer than so much straight ahead of a standing body, by the map, under which the
+/// robot fits in a lower mode.
+[[nodiscard]] bool isNearLow(const Checker& checker, ModeId standing, ModeId low, const Pose& at,
+                             double nearer_m);
 
 /// How unsure it is of its place along the passage after some cycles [m].
 [[nodiscard]] double unsureAfter(int cycles, const CrawlSettings& settings);

@@ -121,8 +121,8 @@ bool Executor::isDone(const Segment& segment, const Senses& senses) const {
   const Motion& motion = segment.motion;
   if (motion.kind == MotionKind::kSwitch) return !senses.is_switching && senses.mode == motion.to_mode;
   if (!isLow(*robot_, motion.mode))
-    return state_ == State::kWalking && follow_.isDone(segment, belief_.pose());
-  if (const auto& fixed = settings_.crawl.fixed) return !is_stroke_ && crawled_ >= fixed->cycles;
+    return state_ == State::kWalking && (follow_.isDone(segment, belief_.pose()) || isTriggered());
+  if (const auto& papers = settings_.crawl.papers) return !is_stroke_ && crawled_ >= papers->cycles;
   constexpr double kShort_m = 0.02;  // a stroke shorter than this is not worth it
   return !is_stroke_ && onLane(motion, belief_.pose()).along_m > length(motion) - kShort_m;
 }

@@ -83,6 +83,7 @@ class Executor {
   [[nodiscard]] bool isBlocked();
   [[nodiscard]] bool isPassageBlocked() const;
   [[nodiscard]] Pose entry() const;
+  [[nodiscard]] bool isTriggered() const;
   [[nodiscard]] bool isAligned();
   [[nodiscard]] bool hasRoomUpHere() const;
   [[nodiscard]] std::string_view stalledBy() const;

@@ -30,8 +30,22 @@ Pose Executor::entry() const {
   return entryOf(passage_, plan_, settings_.crawl.keeps_heading ? 0.0 : belief_.drift(), *checker_);
 }
 
+/// By the papers' trigger: on its way straight to where the plan goes down, it is close enough to do so.
+bool Executor::isTriggered() const {
+  constexpr double kFacing_rad = 0.1;
+  if (!settings_.crawl.papers || next() != Next::kMove) return false;
+  std::size_t after = segment_ + 1;
+  while (after < plan_.segments.size() && plan_.segments[after].motion.kind == MotionKind::kTurn) ++after;
+  if (after >= plan_.segments.size()) return false;
+  const Motion& down = plan_.segments[after].motion;
+  const Pose& here = belief_.pose();
+  return down.kind == MotionKind::kSwitch && isLow(*robot_, down.to_mode) &&
+         std::abs(normalizedAngle(down.from.yaw - here.yaw)) < kFacing_rad &&
+         isNearLow(*checker_, down.mode, down.to_mode, here, settings_.crawl.papers->threshold_m);
+}
+
 bool Executor::isAligned() {
-  if (settings_.crawl.fixed) return true;
+  if (settings_.crawl.papers) return true;
   const Pose there = entry();
   Motion lane = current()->motion;
   lane.from = {there.x, there.y, lane.from.yaw};
@@ -46,7 +60,7 @@ bool Executor::isAligned() {
 
 /// By the map, and by what is seen that it does not have.
 bool Executor::hasRoomUpHere() const {
-  if (settings_.crawl.fixed) return !is_stroke_;
+  if (settings_.crawl.papers) return !is_stroke_;
   const Switch* up = robot_->findSwitch(current()->motion.mode, current()->motion.to_mode);
   return !is_stroke_ && !surroundings_.isBoxBlocked(up->body_m, belief_.pose()) &&
          hasRoomUp(*checker_, *up, belief_.pose(), unsureAfter(crawled_, settings_.crawl));
@@ -93,7 +107,7 @@ Velocity Executor::crawlOn() {
                             ? length(segment->motion) - onLane(segment->motion, belief_.pose()).along_m
                             : whole;
     constexpr double kShortest = 0.25;
-    stride_ = settings_.crawl.fixed ? 1.0 : std::clamp(left / whole, kShortest, 1.0);
+    stride_ = settings_.crawl.papers ? 1.0 : std::clamp(left / whole, kShortest, 1.0);
     is_stroke_ = true;
   }
   return {stride_ * top, 0.0, 0.0};

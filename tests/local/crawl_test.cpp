@@ -75,6 +75,16 @@ TEST_F(ThePassage, LeavesRoomOnlyWhereAllPlacesThatItMayBeAtHaveSome) {
   EXPECT_TRUE(hasRoomUp(checker_, up, {4.80, 2.0, 0.0}, 0.10));
 }
 
+TEST_F(ThePassage, IsNearWhereTheTableIsCloserThanTheThresholdStraightAheadAndAWallIsNone) {
+  constexpr double kTable_m = 3.7;
+  const double front_m = test::nao()->modes[0].body_m.x.max;
+  const auto is_near = [&](const Pose& at) { return isNearLow(checker_, 0, 2, at, 0.6); };
+  EXPECT_TRUE(is_near({kTable_m - front_m - 0.59, 2.0, 0.0}));
+  EXPECT_FALSE(is_near({kTable_m - front_m - 0.61, 2.0, 0.0}));
+  EXPECT_FALSE(is_near({kTable_m - front_m - 0.59, 2.0, 3.1416}));
+  EXPECT_FALSE(is_near({0.4, 2.0, 3.1416})) << "a wall, which no mode fits under";
+}
+
 TEST(Crawl, IsLessSureOfItsPlaceTheLongerItIs) {
   const CrawlSettings settings;
   EXPECT_GT(unsureAfter(20, settings), unsureAfter(5, settings));

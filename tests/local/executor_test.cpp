@@ -59,6 +59,23 @@ TEST_F(Executing3, GoesDownOnceAndUpOnce) {
   EXPECT_EQ(switches, 2);
 }
 
+TEST_F(Executing3, ByThePapersTriggerGoesDownAtItsThresholdAndGetsUpAfterItsCycles) {
+  ExecutorSettings settings;
+  settings.crawl.papers = PapersTrigger{0.7, 24};
+  dut_ = Executor(test::nao(), settings);
+  constexpr Pose kStraightBefore{2.3, 2.0, 0.0};
+  body_ = sim::SimulatedRobot(world_, test::nao(), kStraightBefore, 0, 11);
+  Planner planner(world_, test::nao());
+  dut_.follow(*planner.plan(test::requestFor(kStraightBefore, kGoal), test::soon()), world_, *world_);
+  runUntil(State::kAligning, 5000);
+  EXPECT_NEAR(body_.truth().pose.x, 3.7 - test::nao()->modes[0].body_m.x.max - 0.7, 0.05);
+  EXPECT_EQ(runUntil(State::kGoingDown, 3), State::kGoingDown) << "as it stands";
+  runUntil(State::kGettingUp, 5000);
+  EXPECT_EQ(body_.sense().cycles, 24U);
+  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
+  EXPECT_FALSE(body_.truth().has_collided) << body_.truth().with;
+}
+
 TEST_F(Executing3, NeverGetsUpUnderTheTable) {
   runUntil(State::kGettingUp, 5000);
   const Switch& up = *test::nao()->findSwitch(2, 0);
