@@ -96,7 +96,7 @@ Count drivePlans(const LocalBench& bench, const std::vector<std::vector<Course>>
     for (const unsigned long seed : seeds) {
       const Course& course = courses[seed % courses.size()];
       const auto run =
-          driveCourse(course, planner, bench.robot, settingsFor(noise), sim::Flaws{}.times(noise), seed);
+          driveCourse(course, *planner, bench.robot, settingsFor(noise), sim::Flaws{}.times(noise), seed);
       count(bench, course.name, seed, run, so_far);
       bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size() * maps.size()));
     }
@@ -116,7 +116,7 @@ Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Cours
       auto planner = plannerFor(course, robot);
       const auto plan = planner->findPlan(course.request, Planner::Clock::now() + std::chrono::seconds(5));
       if (!plan) continue;
-      const auto run = driveCourse(unmapped(course, *plan, robot, seed), planner, robot, {}, {}, seed);
+      const auto run = driveCourse(unmapped(course, *plan, robot, seed), *planner, robot, {}, {}, seed);
       count(bench, course.name, seed, run, so_far);
       bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size() * maps.size()));
     }
@@ -132,7 +132,7 @@ void addPapersTrigger(const LocalBench& bench, const Course& course, Report& rep
   unsigned long collided = 0;
   const auto seeds = bench.seeds(100);
   for (const unsigned long seed : seeds) {
-    const auto run = driveCourse(course, planner, bench.robot, settings, {}, seed);
+    const auto run = driveCourse(course, *planner, bench.robot, settings, {}, seed);
     arrived += run.has_arrived ? 1 : 0;
     collided += run.has_collided ? 1 : 0;
   }
@@ -187,7 +187,7 @@ Expected<void> addTight(const LocalBench& bench, Report& report) {
     Count so_far;
     const std::string what = "gap of " + course->name + " body and 6 cm";
     for (const unsigned long seed : seeds) {
-      count(bench, what, seed, driveCourse(*course, planner, bench.robot, {}, {}, seed), so_far);
+      count(bench, what, seed, driveCourse(*course, *planner, bench.robot, {}, {}, seed), so_far);
       bench.progress(static_cast<double>(so_far.runs) / static_cast<double>(seeds.size()));
     }
     addRows(what, "arrive", so_far, 98, report);

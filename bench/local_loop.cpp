@@ -6,11 +6,10 @@
 namespace underway::bench {
 namespace {
 
-constexpr double kLimit_s = 1800.0;  // simulated
+constexpr double kLimit_s = 1800.0;           // simulated
+constexpr std::chrono::seconds kPlanning{5};  // each plan, as long as a follower gives a server
 constexpr double kArrival_m = 0.05;
 constexpr double kArrival_rad = 5.0 * std::numbers::pi / 180.0;
-
-Planner::Clock::time_point in(int seconds) { return Planner::Clock::now() + std::chrono::seconds(seconds); }
 
 double headingOff(const Request& request, const Pose& pose) {
   return request.goal_yaw ? std::abs(normalizedAngle(pose.yaw - *request.goal_yaw)) : 0.0;
@@ -33,15 +32,12 @@ bool isAtGoal(const Request& request, const Pose& pose, ModeId mode) {
          headingOff(request, pose) <= kArrival_rad;
 }
 
-LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner,
-                    const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,
-                    const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch) {
+LoopRun driveCourse(const Course& course, Planner& planner, const std::shared_ptr<const Robot>& robot,
+                    const ExecutorSettings& settings, const sim::Flaws& flaws, std::uint64_t seed,
+                    const WatchLoop& watch) {
   const auto source = [&](const Request& request, const std::shared_ptr<const World>& world) {
-    if (planner->checker()->world().hash() != world->hash()) planner->update(world);
-    auto plan = planner->findPlan(request, in(3));
-    if (plan || plan.error().code != ErrorCode::kTimeout) return plan;
-    planner = std::make_unique<Planner>(world, robot);
-    return planner->plan(request, in(20));
+    if (planner.checker()->world().hash() != world->hash()) planner.update(world);
+    return planner.plan(request, Planner::Clock::now() + kPlanning);
   };
   Mission mission(course.map, robot, course.request, source, settings);
   sim::SimulatedRobot body(course.truth, robot, course.request.start, course.request.start_mode, seed, flaws);

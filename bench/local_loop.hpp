@@ -45,8 +45,8 @@ struct LoopRun {
 using WatchLoop = std::function<void(const sim::SimulatedRobot&, const Mission&, const Tick&)>;
 
 /// Drives a course: simulated robot, mission, and a planner in this process, whose world is set to what the
-/// robot knows before each plan; without a plan a fresh one is asked once more. Deterministic by seed.
-[[nodiscard]] LoopRun driveCourse(const Course& course, std::unique_ptr<Planner>& planner,
+/// robot knows before each plan. Deterministic by seed, but for plans that take seconds.
+[[nodiscard]] LoopRun driveCourse(const Course& course, Planner& planner,
                                   const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,
                                   const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch = {});
 

@@ -88,7 +88,8 @@ class Executor {
   [[nodiscard]] bool hasRoomUpHere() const;
   [[nodiscard]] std::string_view stalledBy() const;
   [[nodiscard]] std::string_view crawlStalledBy() const;
-  [[nodiscard]] bool mayCrawlOn() const;
+  [[nodiscard]] double strideOn() const;
+  [[nodiscard]] double nextStride() const;
   [[nodiscard]] bool isDone(const Segment& segment, const Senses& senses) const;
   void beginSegment();
   [[nodiscard]] Next next() const;

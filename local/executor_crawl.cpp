@@ -7,6 +7,11 @@
 #include "local/low.hpp"
 
 namespace underway {
+namespace {
+
+constexpr double kShortestStride = 0.25;  // of a stroke
+
+}  // namespace
 
 /// Whether something unmapped stands where it is to lie down, along the crawl or where it is to get up, as
 /// far as it was seen.
@@ -78,7 +83,7 @@ std::string_view Executor::stalledBy() const {
 
 std::string_view Executor::crawlStalledBy() const {
   if (is_stroke_) return stroke_s_ > settings_.crawl.stall_s ? "the crawl does not progress" : "";
-  if (next() == Next::kUp) return mayCrawlOn() ? "" : "there is no room to get up";
+  if (next() == Next::kUp) return strideOn() > 0.0 ? "" : "there is no room to get up";
   const Segment* segment = current();
   if (segment == nullptr || next() != Next::kCrawl) return "";
   const double along = onLane(segment->motion, belief_.pose()).along_m;
@@ -87,28 +92,35 @@ std::string_view Executor::crawlStalledBy() const {
              : "";
 }
 
-/// Beyond the planned end, looking for room to get up.
-bool Executor::mayCrawlOn() const {
+/// Beyond the planned end, looking for room to get up: the share of a stroke that there is room for, 0 if
+/// none.
+double Executor::strideOn() const {
   const Pose& here = belief_.pose();
   constexpr double kMargin_m = 0.005;
-  const Motion stroke = translate(mode_, Sense::kForward, here, settings_.crawl.stroke_m);
-  return distance(here.position(), current()->motion.from.position()) < settings_.crawl.longest_extra_m &&
-         checker_->isFree(stroke, kMargin_m) && !surroundings_.isLaneBlocked(stroke, 0.0);
+  if (distance(here.position(), current()->motion.from.position()) >= settings_.crawl.longest_extra_m)
+    return 0.0;
+  for (const double stride : {1.0, 0.5, kShortestStride}) {
+    const Motion stroke = translate(mode_, Sense::kForward, here, stride * settings_.crawl.stroke_m);
+    if (checker_->isFree(stroke, kMargin_m) && !surroundings_.isLaneBlocked(stroke, 0.0)) return stride;
+  }
+  return 0.0;
+}
+
+/// The share of a stroke that is left to the end of a segment, or of the search for room to get up.
+double Executor::nextStride() const {
+  if (settings_.crawl.papers) return 1.0;
+  if (next() != Next::kCrawl) return strideOn();
+  const double left = length(current()->motion) - onLane(current()->motion, belief_.pose()).along_m;
+  return std::clamp(left / (settings_.crawl.stroke_m * settings_.crawl.kept), kShortestStride, 1.0);
 }
 
 /// One stroke after the other; the last one is shorter, so that it ends where it should.
 Velocity Executor::crawlOn() {
   const double top = robot_->modes[mode_].speed(Sense::kForward);
   if (!is_stroke_) {
-    const Segment* segment = current();
-    if (segment == nullptr) return {};
-    const double whole = settings_.crawl.stroke_m * settings_.crawl.kept;
-    const double left = next() == Next::kCrawl
-                            ? length(segment->motion) - onLane(segment->motion, belief_.pose()).along_m
-                            : whole;
-    constexpr double kShortest = 0.25;
-    stride_ = settings_.crawl.papers ? 1.0 : std::clamp(left / whole, kShortest, 1.0);
-    is_stroke_ = true;
+    if (current() == nullptr) return {};
+    stride_ = nextStride();
+    is_stroke_ = stride_ > 0.0;
   }
   return {stride_ * top, 0.0, 0.0};
 }

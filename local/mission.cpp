@@ -13,7 +13,8 @@ namespace underway {
 namespace {
 
 constexpr int kMostRefusals = 4;    // of plans, with a fresh look between them
-constexpr int kMostFreshLooks = 3;  // that led to a plan: more is going to and fro between blocked ways
+constexpr int kMostFreshLooks = 3;  // that led to a plan and no nearer: more is going to and fro
+constexpr double kNearer_s = 5.0;   // to the goal, than any plan before
 constexpr int kMostBerths = 6;      // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;     // a server that is gone
@@ -27,6 +28,12 @@ constexpr const char* kBesideCrawl =
 /// all together they leave no gaps for a body. Where that leaves no plan less is tried, which the guard
 /// watches over all the same.
 constexpr std::array kCautions{Caution{0.06, true}, Caution{0.04, false}, Caution{0.02, false}};
+
+/// There is no plan in the world it was asked in: not that nobody answers, nor that the question is bad.
+bool isNone(ErrorCode code) {
+  return code == ErrorCode::kNoPathExists || code == ErrorCode::kTimeout ||
+         code == ErrorCode::kGoalInCollision;
+}
 
 }  // namespace
 
@@ -89,7 +96,8 @@ void Mission::ask(const Senses& senses) {
   world_ = asked_->known;
   asked_.reset();
   ++plans_;
-  if (refusals_ > 0) ++fresh_looks_;
+  countFreshLooks(plan->total_time_s);
+  if (refusals_ > 0) caution_ = cautionNow(), cautioned_at_ = executor_.pose().position();
   refusals_ = 0;
   may_tread_unseen_ = false;
   countInPlace();
@@ -97,6 +105,12 @@ void Mission::ask(const Senses& senses) {
   berths_given_ = 0;
   if (outcome_ == Outcome::kNoWay) return;
   executor_.follow(std::move(*plan), world_, *map_);
+}
+
+/// Each time that it has come nearer to the goal it may look anew as often again.
+void Mission::countFreshLooks(double left_s) {
+  if (left_s < least_left_s_ - kNearer_s) least_left_s_ = left_s, fresh_looks_ = 0;
+  if (refusals_ > 0) ++fresh_looks_;
 }
 
 /// Plans that do not get it away are no way either.
@@ -111,6 +125,8 @@ void Mission::countInPlace() {
 }
 
 Mission::Question Mission::question() {
+  constexpr double kAway_m = 1.0;
+  if (distance(executor_.pose().position(), cautioned_at_) > kAway_m) caution_ = 0;
   Question question{request_, world_, nullptr};
   if (plans_ > 0 || refusals_ > 0) question.known = worldWithSurprises(refusals_ == 0 ? *world_ : *map_);
   executor_.surprisesAreKnown();
@@ -130,8 +146,7 @@ Expected<Plan> Mission::answer() {
   auto plan = source_(asked_->request, asked_->world);
   if (!plan && plan.error().code == ErrorCode::kBusy) return plan;
   const Question asked = *asked_;
-  const bool is_none =
-      !plan && (plan.error().code == ErrorCode::kNoPathExists || plan.error().code == ErrorCode::kTimeout);
+  const bool is_none = !plan && isNone(plan.error().code);
   if (is_none && executor_.isHeld() && !may_tread_unseen_) {
     may_tread_unseen_ = true;
     asked_.reset();
@@ -176,10 +191,15 @@ void Mission::refused(const Error& error, double now_s) {
     outcome_ = Outcome::kNoWay;
 }
 
+/// Where one has left no plan, less is tried; and what led to a plan is begun with, until it is away from
+/// there.
+std::size_t Mission::cautionNow() const {
+  return std::min(caution_ + static_cast<std::size_t>(refusals_), kCautions.size() - 1);
+}
+
 std::shared_ptr<const World> Mission::worldWithSurprises(const World& base) const {
-  const Caution& caution = kCautions.at(std::min(static_cast<std::size_t>(refusals_), kCautions.size() - 1));
-  return std::make_shared<const World>(
-      withSurprises(base, executor_.surprises(), caution, *robot_, executor_.mode(), executor_.pose()));
+  return std::make_shared<const World>(withSurprises(base, executor_.surprises(), kCautions.at(cautionNow()),
+                                                     *robot_, executor_.mode(), executor_.pose()));
 }
 
 }  // namespace underway

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,9 @@ class Mission {
   [[nodiscard]] Expected<Plan> answer();
   [[nodiscard]] std::shared_ptr<const World> worldToPlanIn(const std::shared_ptr<const World>& known) const;
   [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan, const Question& asked);
+  [[nodiscard]] std::size_t cautionNow() const;
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
+  void countFreshLooks(double left_s);
   void countInPlace();
   void refused(const Error& error, double now_s);
 
@@ -65,8 +68,11 @@ class Mission {
   std::string why_;
   int plans_ = 0;
   int refusals_ = 0;
-  int fresh_looks_ = 0;  // that led to a plan
-  int in_place_ = 0;     // plans asked for from one place
+  int fresh_looks_ = 0;  // that led to a plan, since it came nearer to the goal
+  double least_left_s_ = std::numeric_limits<double>::infinity();  // of all plans
+  std::size_t caution_ = 0;                                        // which one the next question begins with
+  Point cautioned_at_;                                             // where that was found
+  int in_place_ = 0;                                               // plans asked for from one place
   Point asked_at_;
   std::vector<std::string> berths_;  // what the next plan is to keep further from
   int berths_given_ = 0;             // since the last refusal

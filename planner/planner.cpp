@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "planner/answer.hpp"
+#include "planner/concurrent_proof.hpp"
 #include "planner/grow.hpp"
-#include "planner/impossible.hpp"
 #include "planner/interrupt.hpp"
 
 namespace underway {
@@ -276,13 +276,21 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
   asked = admitted(*world, request);
   if (!asked) return tl::unexpected(asked.error());
   const auto started = Clock::now();
-  Interrupt interrupt(deadline, stop);
+  std::stop_source search;  // stopped with the request, or by a proof that there is nothing to find
+  const std::stop_callback forward(stop, [&] { search.request_stop(); });
+  Interrupt interrupt(deadline, search.get_token());
   // Half the time at most goes into a good roadmap; the rest is left for a query that needs more of it.
   Interrupt growing_time(started + (deadline - started) / 2, stop);
   if (!interrupt.isDueNow()) state_->cover(State::Enough::kAny, growing_time, interrupt, progress);
   Answer last;
   // What can be answered is mostly answered when the roadmap has grown a little: only then proofs are tried.
-  int proofs_left = proving == Proving::kYes ? 2 : 0;
+  std::optional<ConcurrentProof> proof;
+  const auto proven = [&]() -> std::optional<Error> {
+    if (!proof) return std::nullopt;
+    auto no = proof->end();
+    if (no) world = proof->checker(), asked = proof->request();
+    return no;
+  };
   bool has_grown = false;
   Snapshot now = state_->current();
   while (now.roadmap && !interrupt.isDueNow()) {
@@ -295,17 +303,17 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
       last.plan->stats.build_ms = state_->build_ms;
       return *std::move(last.plan);
     }
-    if (proofs_left > 0 && has_grown && !last.fault) {
-      Interrupt a_third(Clock::now() + (deadline - Clock::now()) / 3, stop);
-      if (auto no = provenImpossible(*world, *asked, state_->settings, a_third, interrupt))
-        return tl::unexpected(*std::move(no));
-      // What was given up before its time is up cannot be proven; else there is one more try, later.
-      proofs_left = a_third.isDueNow() ? proofs_left - 1 : 0;
+    // One that is under way goes on in the world it began in.
+    const bool is_tried = proof && (!proof->isOver() || proof->checker() == world);
+    if (proving == Proving::kYes && has_grown && !last.fault && !is_tried) {
+      if (auto no = proven()) return tl::unexpected(*std::move(no));
+      proof.emplace(world, *asked, state_->settings, deadline, search);
     }
     has_grown = true;
     now = state_->beyond(now, interrupt);
   }
-  if (interrupt.isStopped())
+  if (auto no = proven()) return tl::unexpected(*std::move(no));
+  if (stop.stop_requested())
     return fail(ErrorCode::kCancelled, "the request was cancelled before a plan was found");
   if (last.fault) return tl::unexpected(*last.fault);
   return fail(ErrorCode::kTimeout, timeoutMessage(Clock::now() - started, now.roadmap.get(), last.nearest));

@@ -15,7 +15,7 @@ class TightGap : public ::testing::TestWithParam<int> {};
 TEST_P(TightGap, IsPassedWithAFewPlansAtMost) {
   const auto course = narrowCourse(*test::nao(), static_cast<ModeId>(GetParam()));
   ASSERT_TRUE(course) << course.error().message;
-  auto planner = std::make_unique<Planner>(course->map, test::nao());
+  Planner planner(course->map, test::nao());
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const LoopRun run = driveCourse(*course, planner, test::nao(), {}, {}, seed);
     EXPECT_TRUE(run.has_arrived) << "seed " << seed << ": " << run.why;
