@@ -113,6 +113,7 @@ void Executor::beginSegment() {
   shift_m_ = 0.0;
   if (const Segment* segment = current()) {
     follow_.begin(*segment, belief_.pose(), *checker_);
+    surroundings_.passBy(segment->closeness.clearance_m);
     if (next() == Next::kDown) passage_ = passageFrom(plan_, *robot_, segment_);
   }
 }

@@ -46,6 +46,7 @@ constexpr double kSlack_m = 1e-4;
 Guard::Guard(const GuardSettings& settings, const BodyBox& body, std::size_t most_points)
     : settings_(settings),
       body_(body),
+      margin_m_(settings.margin_m),
       near_m_(reachOf(body) + settings.margin_m + settings.horizon_s * settings.fastest_mps) {
   points_.reserve(most_points);
 }
@@ -77,8 +78,8 @@ Velocity Guard::allowed(const Velocity& wanted) const { return allowedByAll({thi
 
 bool Guard::allows(const Velocity& velocity) const {
   if (points_.empty()) return true;
-  const double nearest = distanceAfter({}, 0.0, settings_.margin_m + kSlack_m) - kSlack_m;
-  return !bringsNearer(velocity, std::max(nearest, std::min(settings_.least_m, settings_.margin_m)));
+  const double nearest = distanceAfter({}, 0.0, margin_m_ + kSlack_m) - kSlack_m;
+  return !bringsNearer(velocity, std::max(nearest, std::min(settings_.least_m, margin_m_)));
 }
 
 /// At the horizon, and half way there: a corner may swing past a point and away again.

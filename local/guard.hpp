@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace underway {
 
 struct GuardSettings {
-  double margin_m = 0.04;    ///< kept between body and what was seen [m]
+  double margin_m = 0.04;    ///< kept between body and what was seen, at most [m]
   double horizon_s = 1.0;    ///< how far ahead a velocity is looked at [s]
   double least_m = 0.0;      ///< kept from each point for itself, however near others are [m]
   double fastest_mps = 0.2;  ///< of the robot: what is further than it leads to cannot matter [m/s]
@@ -28,6 +29,8 @@ class Guard {
   void look(const Scan& scan);
   void add(Point point);
   void clear() { points_.clear(); }
+  /// From now on it keeps this margin, at most that of its settings.
+  void keep(double margin_m) { margin_m_ = std::min(margin_m, settings_.margin_m); }
 
   /// The wanted velocity, a share of it, its turn alone, or none. Nearer than the margin already, what brings
   /// it no nearer is allowed, so that it goes on along what it stands beside; but one point that noise has
@@ -48,7 +51,8 @@ class Guard {
 
   GuardSettings settings_;
   BodyBox body_;
-  double near_m_;  // further points cannot matter
+  double margin_m_;  // kept now
+  double near_m_;    // further points cannot matter
   std::vector<Point> points_;
 };
 

@@ -17,9 +17,9 @@ constexpr double kMargin_m = 0.005;  // from what is unmapped; the nearest of ma
 /// From the outlines of what was seen before: they and the belief are off by some millimetres.
 constexpr double kRemembered_m = 0.025;
 constexpr double kRememberedLeast_m = 0.01;  // from each point for itself, however near others are
-/// From what the map has, where it was seen: it may stand some centimetres from where the map has it. Plans
-/// pass close by, and noise seems to bring it closer.
-constexpr double kMapped_m = 0.01;
+/// From what the map has, where it was seen: it may stand some centimetres from where the map has it, and the
+/// belief is off by a centimetre. Plans pass as close by as they say.
+constexpr Range kMapped_m{0.01, 0.025};
 constexpr double kClose_m = 1.0;    // so near to that is looked at
 constexpr double kGuarded_m = 1.0;  // what is further away cannot be run into in a tick
 
@@ -68,7 +68,7 @@ Surroundings::Surroundings(const SurroundingsSettings& settings, std::shared_ptr
       against_unmapped_(guardOf(*robot_, {kMargin_m, 1.0})),
       against_remembered_(guardOf(*robot_, {kRemembered_m, 1.0, kRememberedLeast_m})),
       against_unseen_(guardOf(*robot_, {kUnseen_m, 1.0})),
-      against_mapped_(guardOf(*robot_, {kMapped_m, 0.5, leastFromMapped(settings)})),
+      against_mapped_(guardOf(*robot_, {kMapped_m.max, 0.5, leastFromMapped(settings)})),
       reach_m_(reachOf(robot_->modes.front().body_m) + kRemembered_m + fastestOf(*robot_)) {}
 
 void Surroundings::expect(const World& map, const Plan& plan) {
@@ -83,6 +83,10 @@ void Surroundings::expect(const World& map, const Plan& plan) {
   if (robot_->senses.depth)
     depth_map_ = MapView(map, {0.02, robot_->modes.front().body_m.z.max}, plan, toleranceOf(settings_),
                          settings_.round_m);
+}
+
+void Surroundings::passBy(double clearance_m) {
+  against_mapped_.keep(std::clamp(clearance_m / 3.0, kMapped_m.min, kMapped_m.max));
 }
 
 void Surroundings::see(const Senses& senses, const Pose& from) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+#include <string>
+
 #include "bench/local_courses.hpp"
 #include "tests/planner/fixture.hpp"
 
@@ -25,6 +28,36 @@ TEST_P(TightGap, IsPassedWithAFewPlansAtMost) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachMode, TightGap, ::testing::Values(0, 1, 2));
+
+/// Boxes that are in no map, where robots have given up though there was a way.
+struct Case {
+  const char* map;
+  unsigned long seed;
+  friend std::ostream& operator<<(std::ostream& out, const Case& it) {
+    return out << it.map << " with boxes of seed " << it.seed;
+  }
+};
+class UnmappedBoxes : public ::testing::TestWithParam<Case> {};
+
+TEST_P(UnmappedBoxes, AreNoReasonToGiveUp) {
+  const std::string file = UNDERWAY_SOURCE_DIR "/maps/" + std::string(GetParam().map) + ".yaml";
+  const auto courses = coursesOf(file, *test::nao());
+  ASSERT_TRUE(courses) << courses.error().message;
+  const Course& course = (*courses)[GetParam().seed % courses->size()];
+  Planner planner(course.map, test::nao());
+  planner.prepare(test::soon());
+  const auto plan = planner.findPlan(course.request, test::soon());
+  ASSERT_TRUE(plan) << plan.error().message;
+  const Course with = withUnmappedBoxes(course, *plan, test::nao(), GetParam().seed);
+  const LoopRun run = driveCourse(with, planner, test::nao(), {}, {}, GetParam().seed);
+  EXPECT_TRUE(run.has_arrived) << run.why;
+  EXPECT_FALSE(run.has_collided) << run.why;
+}
+
+INSTANTIATE_TEST_SUITE_P(WhereItComesNearerBitByBit, UnmappedBoxes,
+                         ::testing::Values(Case{"arena_corridor", 10}, Case{"flat", 82}));
+INSTANTIATE_TEST_SUITE_P(WhereAWholeStrokeLeavesNoRoomToGetUp, UnmappedBoxes,
+                         ::testing::Values(Case{"flat", 63}));
 
 }  // namespace
 }  // namespace underway::bench

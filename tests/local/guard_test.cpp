@@ -64,6 +64,18 @@ TEST(Guard, NeverAllowsWhatComesNearerThanItsMargin) {
   }
 }
 
+TEST(Guard, KeepsASmallerMarginWhereItIsToldToAndNeverALargerOne) {
+  Guard dut = guardWith({{0.15, 0.0}});  // 2 cm ahead
+  const Velocity on{0.005, 0.0, 0.0};
+  EXPECT_EQ(dut.allowed(on), Velocity{});
+  dut.keep(0.01);
+  EXPECT_EQ(dut.allowed(on), on);
+  dut.keep(1.0);
+  EXPECT_EQ(dut.allowed(on), Velocity{});
+  const Velocity away{-0.01, 0.0, 0.0};
+  EXPECT_EQ(dut.allowed(away), away);
+}
+
 TEST(Guard, RetreatsStraightAwayFromTheNearest) {
   const Velocity velocity = guardWith({{0.15, 0.0}, {0.0, 0.3}}).retreat(0.02);
   EXPECT_DOUBLE_EQ(velocity.x_mps, -0.02);

@@ -134,6 +134,23 @@ TEST(Surroundings, AreNotTouchedWhateverTheRobotIsToldAndHoweverItsBeliefTremble
   EXPECT_GT(least_moved_m, 0.02);  // it is not safe by standing still
 }
 
+TEST(Surroundings, KeepAsFarFromAMappedWallAsThePlanLeavesRoomFor) {
+  constexpr double kSide_m = 0.195;
+  constexpr double kFace_m = 0.6;
+  const auto nearest = [&](double clearance_m, unsigned seed) {
+    Trembling robot({}, {2.0, kFace_m + kSide_m + 0.09, 0.0}, seed);
+    robot.dut.passBy(clearance_m);
+    robot.go({0.0, 0.0, 0.0}, 2.0);
+    robot.go({0.0, -0.02, 0.0}, 20.0);
+    EXPECT_FALSE(robot.body.truth().has_collided) << "seed " << seed;
+    return robot.body.truth().pose.y - kSide_m - kFace_m;
+  };
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    EXPECT_GT(nearest(0.09, seed), 0.01) << "seed " << seed;
+    EXPECT_GT(nearest(0.09, seed), nearest(0.02, seed) + 0.005) << "seed " << seed;
+  }
+}
+
 /// So close to a wall that the map's tolerance takes it for the wall.
 TEST(Surroundings, AreNotTouchedWhereTheyStandThreeCentimetresBeforeTheMapsWall) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
