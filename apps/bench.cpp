@@ -103,6 +103,8 @@ std::optional<std::string> misplaced(const Arguments& arguments) {
   if (!arguments.only.empty() && std::ranges::find(parts, arguments.only) == parts.end())
     return fmt::format("`underway bench {}` has no part {}; name one of {}", arguments.name, arguments.only,
                        fmt::join(parts, ", "));
+  if (arguments.name == "local" && !arguments.map.file.empty() && !bench::isOnMaps(arguments.only))
+    return "--map is for --only plans, unmapped or blocked; name one of them";
   if (arguments.name == "peers" && arguments.peers.empty())
     return "`underway bench peers` needs --peers, the folder of their queries";
   if (arguments.name == "planners" && arguments.map.file.empty())
@@ -236,7 +238,7 @@ Subcommand addBenchCommand(CLI::App& program) {
               CLI::IsMember(partsOf("physics")));
   addNumber(command, "--own-s", arguments->own_s, 0.0, 86400.0, "S",
             "planner: help the oracle with the planner's own best after S seconds (0: not)");
-  addWhole(command, "--seed", arguments->seed, "local: the first seed (1)");
+  addWhole(command, "--seed", arguments->seed, 0, 1'000'000'000, "local: the first seed (1)");
   addWhole(command, "--seeds", arguments->seeds, 1, 1'000'000,
            "local: how many; else as many as is asked for");
   command.footer(kExamples);

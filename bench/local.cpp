@@ -1,5 +1,6 @@
 #include "bench/local.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "bench/local_parts.hpp"
@@ -9,12 +10,13 @@ namespace underway::bench {
 namespace {
 
 struct Part {
-  const char* name;
+  std::string_view name;
   Expected<void> (*add)(const LocalBench&, Report&);
+  bool is_on_maps = false;
 };
-constexpr std::array kParts{Part{"heading", addHeading}, Part{"pure", addPure},
-                            Part{"plans", addPlans},     Part{"unmapped", addUnmapped},
-                            Part{"tight", addTight},     Part{"blocked", addBlocked}};
+constexpr std::array kParts{Part{"heading", addHeading},   Part{"pure", addPure},
+                            Part{"plans", addPlans, true}, Part{"unmapped", addUnmapped, true},
+                            Part{"tight", addTight},       Part{"blocked", addBlocked, true}};
 
 }  // namespace
 
@@ -41,6 +43,10 @@ std::vector<std::filesystem::path> LocalBench::maps(std::span<const char* const>
   return files;
 }
 
+bool isOnMaps(std::string_view part) {
+  return std::ranges::any_of(kParts, [&](const Part& it) { return it.name == part && it.is_on_maps; });
+}
+
 std::vector<std::string> localParts() {
   std::vector<std::string> names;
   names.reserve(kParts.size());
@@ -62,6 +68,7 @@ Expected<Report> local(const LocalOptions& options, const std::function<void(dou
   }
   if (!is_known)
     return fail(ErrorCode::kInvalidRequest, "the local layer's benchmark has no part '" + options.only + "'");
+  for (Row& row : report.rows) row.seed = options.seed;
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/report.hpp"
@@ -26,6 +27,10 @@ struct LocalOptions {
 /// map that asks for nothing that can be answered.
 [[nodiscard]] Expected<Report> local(const LocalOptions& options, const std::function<void(double)>& progress,
                                      const std::function<void(const std::string&)>& tell);
+
+/// Whether a part, or all of them together if none is named, is driven on maps alone, so that one may be
+/// chosen.
+[[nodiscard]] bool isOnMaps(std::string_view part);
 
 /// One after the other, for `only`.
 [[nodiscard]] std::vector<std::string> localParts();

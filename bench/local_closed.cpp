@@ -123,7 +123,7 @@ Count driveUnmapped(const LocalBench& bench, const std::vector<std::vector<Cours
   return so_far;
 }
 
-/// The papers' fixed number of cycles, in the same place; nothing is asked of it.
+/// The papers' own trigger in the same room; nothing is asked of it.
 void addPapersTrigger(const LocalBench& bench, const Course& course, Report& report) {
   auto planner = plannerFor(course, bench.robot);
   ExecutorSettings settings;
@@ -137,15 +137,8 @@ void addPapersTrigger(const LocalBench& bench, const Course& course, Report& rep
     collided += run.has_collided ? 1 : 0;
   }
   const auto add = [&](const std::string& does, double value, const char* unit) {
-    report.rows.push_back({"the same by the papers' own trigger: " + does,
-                           value,
-                           unit,
-                           "",
-                           {},
-                           seeds.front(),
-                           seeds.size(),
-                           {},
-                           {}});
+    report.rows.push_back(
+        {"the same by the papers' own trigger: " + does, value, unit, "", {}, 1, seeds.size(), {}, {}});
   };
   add("arrive", 100.0 * static_cast<double>(arrived) / static_cast<double>(seeds.size()), "%");
   add("collide", static_cast<double>(collided), "runs");
@@ -166,16 +159,19 @@ Expected<void> addUnmapped(const LocalBench& bench, Report& report) {
   const auto maps = allCourses(bench);
   if (!maps) return tl::unexpected(maps.error());
   const auto add = [&](const std::string& what, const std::shared_ptr<const Robot>& robot, Unmapped unmapped,
-                       double least_percent) {
+                       double least_percent) -> Expected<void> {
     const Count count = driveUnmapped(bench, *maps, robot, unmapped);
+    if (count.runs == 0) return fail(ErrorCode::kTimeout, "no plan to put anything in the way of was found");
     addRows(what, "arrive or report truly blocked", count, least_percent, report);
     addBlocked(what, count, report);
+    return {};
   };
-  add("1 to 3 unmapped boxes", bench.robot, withUnmappedBoxes, 98);
+  if (const auto added = add("1 to 3 unmapped boxes", bench.robot, withUnmappedBoxes, 98); !added)
+    return added;
   auto seeing = *bench.robot;
   seeing.senses.depth = DepthSense{1.5, 3.0};
-  add("1 or 2 unmapped tables, with depth", std::make_shared<const Robot>(seeing), withUnmappedTables, 95);
-  return {};
+  return add("1 or 2 unmapped tables, with depth", std::make_shared<const Robot>(seeing), withUnmappedTables,
+             95);
 }
 
 Expected<void> addTight(const LocalBench& bench, Report& report) {

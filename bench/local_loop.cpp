@@ -6,8 +6,7 @@
 namespace underway::bench {
 namespace {
 
-constexpr double kLimit_s = 1800.0;           // simulated
-constexpr std::chrono::seconds kPlanning{5};  // each plan, as long as a follower gives a server
+constexpr double kLimit_s = 1800.0;  // simulated
 constexpr double kArrival_m = 0.05;
 constexpr double kArrival_rad = 5.0 * std::numbers::pi / 180.0;
 
@@ -34,10 +33,10 @@ bool isAtGoal(const Request& request, const Pose& pose, ModeId mode) {
 
 LoopRun driveCourse(const Course& course, Planner& planner, const std::shared_ptr<const Robot>& robot,
                     const ExecutorSettings& settings, const sim::Flaws& flaws, std::uint64_t seed,
-                    const WatchLoop& watch) {
+                    const WatchLoop& watch, std::chrono::seconds planning) {
   const auto source = [&](const Request& request, const std::shared_ptr<const World>& world) {
     if (planner.checker()->world().hash() != world->hash()) planner.update(world);
-    return planner.plan(request, Planner::Clock::now() + kPlanning);
+    return planner.plan(request, Planner::Clock::now() + planning);
   };
   Mission mission(course.map, robot, course.request, source, settings);
   sim::SimulatedRobot body(course.truth, robot, course.request.start, course.request.start_mode, seed, flaws);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,9 +46,11 @@ struct LoopRun {
 using WatchLoop = std::function<void(const sim::SimulatedRobot&, const Mission&, const Tick&)>;
 
 /// Drives a course: simulated robot, mission, and a planner in this process, whose world is set to what the
-/// robot knows before each plan. Deterministic by seed, but for plans that take seconds.
+/// robot knows before each plan, which may take so long: as long as a follower gives a server. Deterministic
+/// by seed, but for plans that take as long as that.
 [[nodiscard]] LoopRun driveCourse(const Course& course, Planner& planner,
                                   const std::shared_ptr<const Robot>& robot, const ExecutorSettings& settings,
-                                  const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch = {});
+                                  const sim::Flaws& flaws, std::uint64_t seed, const WatchLoop& watch = {},
+                                  std::chrono::seconds planning = std::chrono::seconds(5));
 
 }  // namespace underway::bench

@@ -52,15 +52,14 @@ bool hasRoomUp(const Checker& checker, const Switch& up, const Pose& at, double 
 
 bool isNearLow(const Checker& checker, ModeId standing, ModeId low, const Pose& at, double nearer_m) {
   const Robot& robot = checker.robot();
-  const double low_m =  // as far as the lower body's front, from where it would be
+  const double low_m =  // as far ahead of the lower body's front
       std::max(nearer_m + robot.modes[standing].body_m.x.max - robot.modes[low].body_m.x.max, 0.0);
   return !checker.isFree(translate(standing, Sense::kForward, at, nearer_m), 0.0) &&
          checker.isFree(translate(low, Sense::kForward, at, low_m), 0.0);
 }
 
-double unsureAfter(int cycles, const CrawlSettings& settings) {
-  const double slipped = settings.stroke_m * settings.kept_sigma * std::sqrt(static_cast<double>(cycles));
-  return settings.sigmas * std::hypot(settings.fix_sigma_m, slipped);
+double sigmaAfter(double strokes, const CrawlSettings& settings) {
+  return std::hypot(settings.fix_sigma_m, settings.stroke_m * settings.kept_sigma * std::sqrt(strokes));
 }
 
 }  // namespace underway

@@ -56,7 +56,8 @@ struct Passage {
 [[nodiscard]] bool isNearLow(const Checker& checker, ModeId standing, ModeId low, const Pose& at,
                              double nearer_m);
 
-/// How unsure it is of its place along the passage after some cycles [m].
-[[nodiscard]] double unsureAfter(int cycles, const CrawlSettings& settings);
+/// How unsure it is of its place along the passage after some whole strokes, as a standard deviation [m].
+/// What each has lost is one for itself: of a share of a stroke its square counts.
+[[nodiscard]] double sigmaAfter(double strokes, const CrawlSettings& settings);
 
 }  // namespace underway

@@ -55,6 +55,7 @@ void Executor::believe(const Senses& senses) {
     if (const Switch* change = robot_->findSwitch(mode_, senses.mode)) belief_.jump(change->displacement);
     mode_ = senses.mode;
     crawled_ = 0;
+    strokes_ = 0.0;
     is_stroke_ = false;
   }
   const double tick = settings_.tick_s;
@@ -77,6 +78,7 @@ void Executor::believeStrokes(std::uint64_t cycles) {
   belief_.move(is_made ? static_cast<double>(made) * way_m : 0.0, 0.0, 0.0);
   if (!is_made) return;
   crawled_ += static_cast<int>(made);
+  strokes_ += static_cast<double>(made) * stride_ * stride_;
   is_stroke_ = false;
 }
 
@@ -170,7 +172,8 @@ bool Executor::isBlocked() {
   constexpr double kPatience = 4.0;        // aligning takes longer
   const double patience = state_ == State::kAligning ? kPatience : 1.0;
   is_held_ = false;
-  if (follow_.isAstray(*segment, belief_.pose())) return true;
+  const bool is_by_papers = settings_.crawl.papers && next() == Next::kDown;  // goes down elsewhere
+  if (!is_by_papers && follow_.isAstray(*segment, belief_.pose())) return true;
   is_held_ = looked_s_ > kLongestLook_s || idle_s_ > settings_.stuck_after_s * patience;
   if (is_held_) return true;
   const Motion& motion = segment->motion;

@@ -123,6 +123,7 @@ class Executor {
   // Of the crawl.
   std::uint64_t cycles_ = 0;  // as the robot counts them
   int crawled_ = 0;           // since it lies
+  double strokes_ = 0.0;      // the same in whole ones, as sigmaAfter counts them
   bool is_stroke_ = false;    // a cycle is under way
   double stride_ = 1.0;       // the share of a whole stroke that it makes
   double stroke_s_ = 0.0;     // for so long

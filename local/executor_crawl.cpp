@@ -35,10 +35,12 @@ Pose Executor::entry() const {
   return entryOf(passage_, plan_, settings_.crawl.keeps_heading ? 0.0 : belief_.drift(), *checker_);
 }
 
-/// By the papers' trigger: on its way straight to where the plan goes down, it is close enough to do so.
+/// By the papers' trigger: on its way straight on to where the plan goes down, it is close enough to do so.
 bool Executor::isTriggered() const {
   constexpr double kFacing_rad = 0.1;
   if (!settings_.crawl.papers || next() != Next::kMove) return false;
+  const Motion& now = current()->motion;
+  if (now.kind == MotionKind::kTranslate && now.sense != Sense::kForward) return false;
   std::size_t after = segment_ + 1;
   while (after < plan_.segments.size() && plan_.segments[after].motion.kind == MotionKind::kTurn) ++after;
   if (after >= plan_.segments.size()) return false;
@@ -68,7 +70,8 @@ bool Executor::hasRoomUpHere() const {
   if (settings_.crawl.papers) return !is_stroke_;
   const Switch* up = robot_->findSwitch(current()->motion.mode, current()->motion.to_mode);
   return !is_stroke_ && !surroundings_.isBoxBlocked(up->body_m, belief_.pose()) &&
-         hasRoomUp(*checker_, *up, belief_.pose(), unsureAfter(crawled_, settings_.crawl));
+         hasRoomUp(*checker_, *up, belief_.pose(),
+                   settings_.crawl.sigmas * sigmaAfter(strokes_, settings_.crawl));
 }
 
 /// Empty as long as it can go on.
@@ -97,11 +100,17 @@ std::string_view Executor::crawlStalledBy() const {
 double Executor::strideOn() const {
   const Pose& here = belief_.pose();
   constexpr double kMargin_m = 0.005;
+  constexpr double kSigmas = 2.0;  // that it may have come further than it believes
+  const double unsure_m = kSigmas * sigmaAfter(strokes_, settings_.crawl);
   if (distance(here.position(), current()->motion.from.position()) >= settings_.crawl.longest_extra_m)
     return 0.0;
   for (const double stride : {1.0, 0.5, kShortestStride}) {
-    const Motion stroke = translate(mode_, Sense::kForward, here, stride * settings_.crawl.stroke_m);
-    if (checker_->isFree(stroke, kMargin_m) && !surroundings_.isLaneBlocked(stroke, 0.0)) return stride;
+    const auto on = [&](double beyond_m) {
+      return translate(mode_, Sense::kForward, here, stride * settings_.crawl.stroke_m + beyond_m);
+    };
+    const double beyond_lane_m = std::max(unsure_m - settings_.surroundings.lane_margin_m, 0.0);
+    if (checker_->isFree(on(unsure_m), kMargin_m) && !surroundings_.isWholeLaneBlocked(on(beyond_lane_m)))
+      return stride;
   }
   return 0.0;
 }

@@ -12,10 +12,11 @@
 namespace underway {
 namespace {
 
-constexpr int kMostRefusals = 4;    // of plans, with a fresh look between them
-constexpr int kMostFreshLooks = 3;  // that led to a plan and no nearer: more is going to and fro
-constexpr double kNearer_s = 5.0;   // to the goal, than any plan before
-constexpr int kMostBerths = 6;      // given one after the other, until a plan crawls beside nothing unmapped
+constexpr int kMostRefusals = 4;   // of plans, with a fresh look between them
+constexpr int kMostLooks = 4;      // with less caution, that led to a plan but no nearer
+constexpr int kMostInPlace = 8;    // plans in a row that were not followed away from a place
+constexpr double kNearer_s = 5.0;  // to the goal, than any plan before
+constexpr int kMostBerths = 6;     // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;     // a server that is gone
 constexpr double kMostUnsure_s = 30.0;  // standing still, not knowing where it is
@@ -96,32 +97,40 @@ void Mission::ask(const Senses& senses) {
   world_ = asked_->known;
   asked_.reset();
   ++plans_;
-  countFreshLooks(plan->total_time_s);
-  if (refusals_ > 0) caution_ = cautionNow(), cautioned_at_ = executor_.pose().position();
+  countLooks(plan->total_time_s);
+  countInPlace();
+  caution_ = cautionNow();
+  if (caution_ > 0 && refusals_ > 0) cautioned_at_ = executor_.pose().position();
   refusals_ = 0;
   may_tread_unseen_ = false;
-  countInPlace();
   berths_.clear();
   berths_given_ = 0;
+  why_ = whyGivenUp();
+  outcome_ = why_.empty() ? Outcome::kUnderway : Outcome::kNoWay;
   if (outcome_ == Outcome::kNoWay) return;
   executor_.follow(std::move(*plan), world_, *map_);
 }
 
-/// Each time that it has come nearer to the goal it may look anew as often again.
-void Mission::countFreshLooks(double left_s) {
-  if (left_s < least_left_s_ - kNearer_s) least_left_s_ = left_s, fresh_looks_ = 0;
-  if (refusals_ > 0) ++fresh_looks_;
+/// Plans that less caution has led to, one after the other and none nearer to the goal, are to and fro.
+void Mission::countLooks(double left_s) {
+  if (cautionNow() == 0) return;
+  if (left_s < least_left_s_ - kNearer_s) least_left_s_ = left_s, looks_ = 0;
+  ++looks_;
 }
 
-/// Plans that do not get it away are no way either.
 void Mission::countInPlace() {
-  constexpr int kMost = 8;
   constexpr double kAway_m = 0.1;
   const Point here = executor_.pose().position();
   in_place_ = distance(here, asked_at_) < kAway_m ? in_place_ + 1 : 0;
   if (in_place_ == 0) asked_at_ = here;
-  outcome_ = in_place_ >= kMost ? Outcome::kNoWay : Outcome::kUnderway;
-  why_ = in_place_ >= kMost ? "none of the last plans could be followed away from here" : "";
+}
+
+/// A sentence when the plans lead nowhere, though there are any; empty otherwise.
+std::string Mission::whyGivenUp() const {
+  if (in_place_ >= kMostInPlace) return "none of the last plans could be followed away from here";
+  if (looks_ > kMostLooks)
+    return "the last plans lead to and fro between blocked ways, and no nearer to the goal";
+  return "";
 }
 
 Mission::Question Mission::question() {
@@ -152,7 +161,8 @@ Expected<Plan> Mission::answer() {
     asked_.reset();
     return fail(ErrorCode::kBusy, "waiting for a plan that may lead over floor that was not seen");
   }
-  if (is_none && !berths_.empty()) return fail(ErrorCode::kNoPathExists, kBesideCrawl);
+  if (is_none && !berths_.empty() && plan.error().code != ErrorCode::kGoalInCollision)
+    return fail(ErrorCode::kNoPathExists, kBesideCrawl);
   return clearOfSurprises(std::move(plan), asked);
 }
 
@@ -187,8 +197,7 @@ void Mission::refused(const Error& error, double now_s) {
   }
   again_s_ = now_s + kLookAgain_s;
   berths_given_ = 0;
-  if (++refusals_ >= kMostRefusals || plans_ == 0 || fresh_looks_ >= kMostFreshLooks)
-    outcome_ = Outcome::kNoWay;
+  if (++refusals_ >= kMostRefusals || plans_ == 0) outcome_ = Outcome::kNoWay;
 }
 
 /// Where one has left no plan, less is tried; and what led to a plan is begun with, until it is away from

@@ -54,8 +54,9 @@ class Mission {
   [[nodiscard]] Expected<Plan> clearOfSurprises(Expected<Plan> plan, const Question& asked);
   [[nodiscard]] std::size_t cautionNow() const;
   [[nodiscard]] std::shared_ptr<const World> worldWithSurprises(const World& base) const;
-  void countFreshLooks(double left_s);
+  void countLooks(double left_s);
   void countInPlace();
+  [[nodiscard]] std::string whyGivenUp() const;
   void refused(const Error& error, double now_s);
 
   std::shared_ptr<const World> map_;
@@ -68,8 +69,8 @@ class Mission {
   std::string why_;
   int plans_ = 0;
   int refusals_ = 0;
-  int fresh_looks_ = 0;  // that led to a plan, since it came nearer to the goal
-  double least_left_s_ = std::numeric_limits<double>::infinity();  // of all plans
+  int looks_ = 0;  // with less caution, that led to plans no nearer to the goal
+  double least_left_s_ = std::numeric_limits<double>::infinity();  // of those plans
   std::size_t caution_ = 0;                                        // which one the next question begins with
   Point cautioned_at_;                                             // where that was found
   int in_place_ = 0;                                               // plans asked for from one place

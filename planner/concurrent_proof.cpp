@@ -13,15 +13,20 @@ ConcurrentProof::ConcurrentProof(std::shared_ptr<const Checker> checker, const R
       request_(request),
       thread_([this, settings, deadline, search](const std::stop_token& stop) mutable {
         Interrupt interrupt(deadline, stop);
-        found_ = provenImpossible(*checker_, request_, settings, interrupt, interrupt);
+        try {
+          found_ = provenImpossible(*checker_, request_, settings, interrupt);
+        } catch (...) {
+          thrown_ = std::current_exception();
+        }
         is_over_ = true;
-        if (found_) search.request_stop();
+        if (found_ || thrown_) search.request_stop();
       }) {}
 
 std::optional<Error> ConcurrentProof::end() {
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();
-  return std::move(found_);
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  return std::exchange(found_, std::nullopt);
 }
 
 }  // namespace underway

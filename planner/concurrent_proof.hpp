@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -29,14 +30,16 @@ class ConcurrentProof {
   [[nodiscard]] const Request& request() const { return request_; }
   /// Whether it has ended by itself.
   [[nodiscard]] bool isOver() const { return is_over_; }
-  /// Gives up, which takes microseconds. The proof, if it had found one.
+  /// Gives up, which takes less than a millisecond. The proof, if it had found one; what its thread has
+  /// thrown is thrown here.
   [[nodiscard]] std::optional<Error> end();
 
  private:
   std::shared_ptr<const Checker> checker_;
   Request request_;
   std::atomic<bool> is_over_ = false;
-  std::optional<Error> found_;  // the thread's, until it has ended
+  std::optional<Error> found_;  // the thread's, until it has ended; so is what follows
+  std::exception_ptr thrown_;
   std::jthread thread_;
 };
 

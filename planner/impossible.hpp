@@ -11,10 +11,9 @@
 namespace underway {
 
 /// kNoPathExists with the obstacles to blame and what is missing at each, if it is proven that no plan
-/// answers a request; nothing if it is not, or `proving` comes due first. `blaming` bounds the search for the
-/// obstacles: when it is due, the proof stands without them.
+/// answers a request; nothing if it is not, or the interrupt comes due first. Due while it looks for the
+/// obstacles, the proof stands without them.
 [[nodiscard]] std::optional<Error> provenImpossible(const Checker& checker, const Request& request,
-                                                    const GrowthSettings& settings, Interrupt& proving,
-                                                    Interrupt& blaming);
+                                                    const GrowthSettings& settings, Interrupt& interrupt);
 
 }  // namespace underway

@@ -19,7 +19,6 @@ class Interrupt {
     return due_;
   }
   [[nodiscard]] Clock::time_point deadline() const { return deadline_; }
-  [[nodiscard]] bool isStopped() const { return stop_.stop_requested(); }
   [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
  private:

@@ -283,7 +283,6 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
   Interrupt growing_time(started + (deadline - started) / 2, stop);
   if (!interrupt.isDueNow()) state_->cover(State::Enough::kAny, growing_time, interrupt, progress);
   Answer last;
-  // What can be answered is mostly answered when the roadmap has grown a little: only then proofs are tried.
   std::optional<ConcurrentProof> proof;
   const auto proven = [&]() -> std::optional<Error> {
     if (!proof) return std::nullopt;
@@ -303,7 +302,8 @@ Expected<Plan> Planner::plan(Expected<Request>& asked, std::shared_ptr<const Che
       last.plan->stats.build_ms = state_->build_ms;
       return *std::move(last.plan);
     }
-    // One that is under way goes on in the world it began in.
+    // What can be answered is mostly answered when the roadmap has grown a little: only then a proof is
+    // tried. One that is under way goes on in the world it began in.
     const bool is_tried = proof && (!proof->isOver() || proof->checker() == world);
     if (proving == Proving::kYes && has_grown && !last.fault && !is_tried) {
       if (auto no = proven()) return tl::unexpected(*std::move(no));

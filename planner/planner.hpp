@@ -49,8 +49,8 @@ class Planner {
   /// reached, kCancelled, kInvalidRequest. Goals that cannot be stood at are left out as long as there are
   /// others; that no path exists is told only if none leads to any of the rest. Plan and error name the world
   /// they are about. If there is no roadmap yet it grows one first, for half of the time at most (and tells
-  /// `progress`). If the roadmap does not hold a plan, it grows until there is one, it is proven that there is
-  /// none, which a second thread tries, or the deadline passes.
+  /// `progress`). If the roadmap does not hold a plan, it grows until there is one, it is proven that there
+  /// is none, which a second thread tries, or the deadline passes.
   [[nodiscard]] Expected<Plan> plan(const Request& request, Clock::time_point deadline,
                                     const std::stop_token& stop = {}, const Progress& progress = {});
   /// The same without trying to prove anything.

@@ -72,6 +72,8 @@ Expected<Plan> RemotePlans::plan(const Request& request, const World& world) {
     // Another has changed the world since, or the server is another one: it may have lost what we told.
     if (const auto told = tellAll(seen); !told) return tl::unexpected(told.error());
     document = askAround(question);
+    if (document && !document->answer && !isOfToldWorld(*document))
+      return fail(ErrorCode::kBusy, "the world is being changed: the server's answer is of another one");
   }
   if (!document) return tl::unexpected(document.error());
   if (document->robot_hash != hashOf(*robot_))

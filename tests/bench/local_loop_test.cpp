@@ -49,7 +49,8 @@ TEST_P(UnmappedBoxes, AreNoReasonToGiveUp) {
   const auto plan = planner.findPlan(course.request, test::soon());
   ASSERT_TRUE(plan) << plan.error().message;
   const Course with = withUnmappedBoxes(course, *plan, test::nao(), GetParam().seed);
-  const LoopRun run = driveCourse(with, planner, test::nao(), {}, {}, GetParam().seed);
+  const LoopRun run =
+      driveCourse(with, planner, test::nao(), {}, {}, GetParam().seed, {}, std::chrono::seconds(60));
   EXPECT_TRUE(run.has_arrived) << run.why;
   EXPECT_FALSE(run.has_collided) << run.why;
 }

@@ -87,8 +87,8 @@ TEST_F(ThePassage, IsNearWhereTheTableIsCloserThanTheThresholdStraightAheadAndAW
 
 TEST(Crawl, IsLessSureOfItsPlaceTheLongerItIs) {
   const CrawlSettings settings;
-  EXPECT_GT(unsureAfter(20, settings), unsureAfter(5, settings));
-  EXPECT_GT(unsureAfter(0, settings), 0.0);
+  EXPECT_GT(sigmaAfter(20.0, settings), sigmaAfter(5.0, settings));
+  EXPECT_GT(sigmaAfter(0.0, settings), 0.0);
 }
 
 }  // namespace

@@ -60,20 +60,23 @@ TEST_F(Executing3, GoesDownOnceAndUpOnce) {
 }
 
 TEST_F(Executing3, ByThePapersTriggerGoesDownAtItsThresholdAndGetsUpAfterItsCycles) {
-  ExecutorSettings settings;
-  settings.crawl.papers = PapersTrigger{0.7, 24};
-  dut_ = Executor(test::nao(), settings);
   constexpr Pose kStraightBefore{2.3, 2.0, 0.0};
-  body_ = sim::SimulatedRobot(world_, test::nao(), kStraightBefore, 0, 11);
   Planner planner(world_, test::nao());
-  dut_.follow(*planner.plan(test::requestFor(kStraightBefore, kGoal), test::soon()), world_, *world_);
-  runUntil(State::kAligning, 5000);
-  EXPECT_NEAR(body_.truth().pose.x, 3.7 - test::nao()->modes[0].body_m.x.max - 0.7, 0.05);
-  EXPECT_EQ(runUntil(State::kGoingDown, 3), State::kGoingDown) << "as it stands";
-  runUntil(State::kGettingUp, 5000);
-  EXPECT_EQ(body_.sense().cycles, 24U);
-  EXPECT_EQ(runUntil(State::kArrived, 5000), State::kArrived);
-  EXPECT_FALSE(body_.truth().has_collided) << body_.truth().with;
+  const Plan plan = *planner.plan(test::requestFor(kStraightBefore, kGoal), test::soon());
+  for (const PapersTrigger& papers : {PapersTrigger{0.7, 24}, PapersTrigger{1.0, 31}}) {
+    ExecutorSettings settings;
+    settings.crawl.papers = papers;
+    dut_ = Executor(test::nao(), settings);
+    body_ = sim::SimulatedRobot(world_, test::nao(), kStraightBefore, 0, 11);
+    dut_.follow(plan, world_, *world_);
+    EXPECT_EQ(runUntil(State::kAligning, 5000), State::kAligning);
+    const double front_m = body_.truth().pose.x + test::nao()->modes[0].body_m.x.max;
+    EXPECT_NEAR(3.7 - front_m, papers.threshold_m, 0.05);
+    EXPECT_EQ(runUntil(State::kGoingDown, 3), State::kGoingDown) << "as it stands";
+    EXPECT_EQ(runUntil(State::kGettingUp, 5000), State::kGettingUp);
+    EXPECT_EQ(body_.sense().cycles, static_cast<std::uint64_t>(papers.cycles));
+    EXPECT_FALSE(body_.truth().has_collided) << body_.truth().with;
+  }
 }
 
 TEST_F(Executing3, NeverGetsUpUnderTheTable) {
