@@ -10,6 +10,7 @@
 #include "bench/planner_parts.hpp"
 #include "bench/requests.hpp"
 #include "bench/stopwatch.hpp"
+#include "planner/concurrent_proof.hpp"
 
 namespace underway::bench {
 namespace {
@@ -66,6 +67,39 @@ Expected<Site> siteOf(const PlannerOptions& options, const char* name) {
   return site;
 }
 
+/// How long one waits for a proof's thread to give up, at any moment of its work.
+Expected<void> addGivingUp(const PlannerOptions& options, std::mt19937_64& random, Report& report) {
+  const int runs = options.quick ? 10 : 100;  // in each map
+  std::uniform_int_distribution<int> moment_us(0, 200'000);
+  std::vector<double> waited_ms;
+  for (const char* map : kMaps) {
+    const auto site = siteOf(options, map);
+    if (!site) return tl::unexpected(site.error());
+    const auto checker = std::make_shared<const Checker>(site->world, site->robot);
+    for (int i = 0; i < runs; ++i) {
+      ConcurrentProof proof(checker, site->requests.front(), {}, Clock::time_point::max(), {});
+      std::this_thread::sleep_for(std::chrono::microseconds(moment_us(random)));
+      if (proof.isOver()) continue;
+      const auto ending = Clock::now();
+      (void)proof.end();
+      waited_ms.push_back(1e3 * Seconds(Clock::now() - ending).count());
+    }
+  }
+  for (const double p : {0.5, 0.99})
+    if (!waited_ms.empty())
+      report.rows.push_back(
+          {std::string("a proof under way gives up, by the clock, p") + (p < 0.9 ? "50" : "99"),
+           quantile(waited_ms, p),
+           "ms",
+           "",
+           {},
+           1,
+           waited_ms.size(),
+           {},
+           {}});
+  return {};
+}
+
 }  // namespace
 
 Expected<void> addDeadlines(const PlannerOptions& options, Report& report, const Progress& progress) {
@@ -112,7 +146,7 @@ Expected<void> addDeadlines(const PlannerOptions& options, Report& report, const
   const double most = quantile(after_ms, 0.999);
   add("processor time, p50", quantile(after_ms, 0.5), "ms", "", std::nullopt);
   add("processor time, p99.9", most, "ms", "<= 1", most <= 1.0);
-  return {};
+  return addGivingUp(options, random, report);
 }
 
 }  // namespace underway::bench

@@ -20,6 +20,7 @@ constexpr int kMostBerths = 6;     // given one after the other, until a plan cr
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;     // a server that is gone
 constexpr double kMostUnsure_s = 30.0;  // standing still, not knowing where it is
+constexpr double kSettles_s = 5.0;      // which takes no longer
 
 constexpr const char* kBesideCrawl =
     "each plan found crawls close by something that is not in the map, which the robot cannot see while it "
@@ -84,6 +85,7 @@ void Mission::watchLocalisation(State state, double now_s) {
     return;
   }
   if (!unsure_s_) unsure_s_ = now_s;
+  if (state == State::kSettling && now_s - *unsure_s_ < kSettles_s) return;
   why_ = state == State::kLost ? "localisation is silent; standing still until it is back"
                                : "localisation comes too seldom to know where the robot is; standing still";
   if (now_s - *unsure_s_ > kMostUnsure_s) outcome_ = Outcome::kNeedsHelp;
