@@ -144,6 +144,8 @@ Mission::Question Mission::question() {
   question.world = worldToPlanIn(question.known);
   if (plans_ == 0) return question;
   Request& request = question.request;
+  // Too close by something for the guard: what is safest keeps further off, where there is room.
+  if (executor_.isHeld()) request.policy = Policy::kSafest;
   request.start_mode = executor_.mode();
   const Checker checker(question.world, robot_);
   request.start = isLow(*robot_, request.start_mode)
