@@ -120,11 +120,7 @@ void Surroundings::addWhatWasSeen(const Pose& from) {
 
 void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) {
   // A plane that passes below a table top must not take back what a depth camera saw of it.
-  if (!robot_->senses.depth || &map == &depth_map_) {
-    window_.takeBack(scan, from, settings_.believed_m);
-    mapped_.takeBack(scan, from, kClose_m);
-  }
-  seeFloor(scan, from);
+  if (!robot_->senses.depth || &map == &depth_map_) takeBack(scan, from);
   constexpr std::size_t kPart = 4;  // of the beams that end on mapped things, in a tick
   const SeenFrom seen(from);
   forEachBeam(scan.beams, from.yaw, [&](std::size_t i, Point direction) {
@@ -140,8 +136,11 @@ void Surroundings::look(const Scan& scan, const MapView& map, const Pose& from) 
   });
 }
 
-/// Each tick some of the beams are looked at for where they pass, and others the next.
-void Surroundings::seeFloor(const Scan& scan, const Pose& from) {
+/// Nothing stands where beams pass. Each tick some of them are looked at for floor that was seen, and others
+/// the next.
+void Surroundings::takeBack(const Scan& scan, const Pose& from) {
+  window_.takeBack(scan, from, settings_.believed_m);
+  mapped_.takeBack(scan, from, kClose_m);
   constexpr std::size_t kShare = 16;
   const std::size_t first = turn_ % kShare;
   forEachBeam(scan.beams.every(kShare, first), from.yaw, [&](std::size_t i, Point direction) {

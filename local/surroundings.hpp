@@ -76,7 +76,7 @@ class Surroundings {
   void visitUnseenIn(const BodyBox& box, const Pose& at, const Visit& visit) const;
   void addWhatWasSeen(const Pose& from);
   void look(const Scan& scan, const MapView& map, const Pose& from);
-  void seeFloor(const Scan& scan, const Pose& from);
+  void takeBack(const Scan& scan, const Pose& from);
   template <class Visit>
   void visitBeside(const Motion& translation, Range along, double reach_m, const Visit& visit) const;
   /// Of a translation, from so far along it: as far as it has to be free.

@@ -24,8 +24,9 @@ void Surroundings::standOn(const BodyBox& body, const Pose& at) {
 }
 
 void Surroundings::standFirstAt(double reach_m, Point at) {
-  constexpr double kRound_m = 0.05;  // that the guard lets it turn there
-  const double round_m = reach_m + kRound_m;
+  constexpr double kRound_m = 0.05;   // that the guard lets it turn there
+  constexpr double kCamera_m = 0.15;  // its field leaves slivers beside the way, close to the body
+  const double round_m = reach_m + (robot_->senses.depth ? kCamera_m : kRound_m);
   floor_.visitUnseen(round(at, round_m), [&](Point cell) {
     if (distance(cell, at) <= round_m) floor_.mark(cell);
   });

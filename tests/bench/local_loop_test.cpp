@@ -70,7 +70,7 @@ TEST(UnmappedTables, AreNoReasonToGiveUpInAGapThatHasRoom) {
     expectArrival({"arena_gap", seed}, withDepth(), withUnmappedTables);
 }
 
-/// A depth camera that looks into the open tells nothing: the floor there is what the lidar's plane passes.
+/// A camera's field leaves slivers of floor beside the way, close to where the robot stood first.
 TEST(UnmappedTables, AreNoReasonToGiveUpInTheOpen) {
   expectArrival({"arena_open", 18}, withDepth(), withUnmappedTables);
 }
