@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostRefusals = 4;   // of plans, with a fresh look between them
 constexpr int kMostLooks = 4;      // with less caution, that led to a plan but no nearer
 constexpr int kMostInPlace = 8;    // plans in a row that were not followed away from a place
-constexpr double kNearer_s = 5.0;  // to the goal, than any plan before
+constexpr double kNearer_s = 5.0;  // to the goal, than any of those before
 constexpr int kMostBerths = 6;     // given one after the other, until a plan crawls beside nothing unmapped
 constexpr double kLookAgain_s = 2.0;
 constexpr double kAskAgain_s = 1.0;     // a server that is gone
